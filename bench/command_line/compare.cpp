@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <nodal/compare.h>
+
+#include <unistd.h>
+
+#include <iostream>
+#include <memory>
+
+#include <fmt/format.h>
+
+#include <nodal/store.h>
+
+#include "commands.h"
+#include "progress.h"
+#include "stop_signal.h"
+#include "study_options.h"
+#include "write_report.h"
+
+namespace nodal {
+
+namespace {
+
+struct CompareArguments {
+  std::string study, out;
+  int jobs = 1;
+  StudyOverrides overrides;
+};
+
+void say_left_out(const Study& study) {
+  for (const LeftOut& left_out : study.left_out)
+    std::cerr << fmt::format("left out: '{}': {}\n", left_out.label, left_out.reason);
+}
+
+CompareResult run(const Study& study, const Registry& registry, Store& store, int jobs) {
+  const StopSignal stop;
+  Progress progress(::isatty(STDERR_FILENO) == 1);
+  CompareOptions options;
+  options.jobs = jobs;
+  options.interrupted = &stop.flag();
+  CompareObserver observer;
+  observer.began = [&](std::size_t total, std::size_t stored) { progress.began(total, stored); };
+  observer.finished = [&](const TrialRecord& record, std::size_t done, std::size_t total) {
+    progress.finished(record, done, total);
+  };
+  return compare(study, registry, store, options, observer);
+}
+
+int compare_command(const CompareArguments& arguments, const Registry& registry) {
+  const Study study = read_study(arguments.study, registry, arguments.overrides);
+  require_comparable(study);  // before anything is written
+  say_left_out(study);
+  const std::string directory = arguments.out.empty() ? "results/" + study.name : arguments.out;
+  Store store{directory};
+  const CompareResult result = run(study, registry, store, arguments.jobs);
+  for (const std::string& warning : store.warnings()) std::cerr << "warning: " << warning << '\n';
+  if (result.interrupted) {
+    std::cerr << fmt::format("interrupted: {} trials of this run are stored in '{}'; the same command goes on from there\n",
+                             result.ran, directory);
+    return kExitInterrupted;
+  }
+  std::vector<Store> stores;
+  stores.push_back(std::move(store));
+  write_report(stores, registry, stores.front());
+  return result.failed > 0 ? kExitTrialFailed : 0;
+}
+
+}  // namespace
+
+void add_compare(CLI::App& app, Program& program) {
+  CLI::App* command = app.add_subcommand("compare", "Run what the store lacks of a study, print the table, write the report");
+  const auto arguments = std::make_shared<CompareArguments>();
+  add_study_path(*command, arguments->study);
+  command->add_option("--out", arguments->out, "Where results are stored (default: results/<name of the study>)")->type_name("DIR");
+  command->add_option("--only", arguments->overrides.only, "Only the optimizers with these labels, separated by commas")
+      ->delimiter(',')->type_name("LABEL,…");
+  command->add_option("--repeats", arguments->overrides.repeats, "Repeats, instead of the study's")->check(above_zero());
+  add_budget_options(*command, arguments->overrides);
+  command->add_option("--jobs", arguments->jobs, "Trials at once; times stay clean with 1 (default)")->check(above_zero());
+  command->callback([arguments, &program] { program.exit = compare_command(*arguments, program.registry); });
+}
+
+}  // namespace nodal

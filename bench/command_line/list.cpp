@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <memory>
+
+#include <fmt/format.h>
+
+#include <nodal/elastic/net.h>
+
+#include "commands.h"
+
+namespace nodal {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string default_text(const Option& option) {
+  if (option.required) return "required";
+  if (!option.default_text.empty()) return "default: " + option.default_text;
+  if (option.default_value && option.type != OptionType::table) return "default " + to_json(*option.default_value);
+  return {};
+}
+
+void list_options(const OptionSchema& options, const std::string& indent) {
+  for (const Option& option : options) {
+    std::string facts;
+    const auto add = [&facts](const std::string& fact) {
+      if (!fact.empty()) facts += (facts.empty() ? "" : "; ") + fact;
+    };
+    add(std::string(to_string(option.type)) + (option.unit.empty() ? "" : " [" + option.unit + "]"));
+    add(range_text(option));
+    if (!option.choices.empty()) add(fmt::format("{}", fmt::join(option.choices, " | ")));
+    add(default_text(option));
+    std::cout << fmt::format("{}{} ({}): {}\n", indent, option.name, facts, option.help);
+    list_options(option.fields, indent + "  ");
+  }
+}
+
+void list_absent(const Registry& registry) {
+  for (const AbsentDescription& absent : registry.absent()) std::cout << fmt::format("{}: not here: {}\n\n", absent.name, absent.reason);
+}
+
+void list_optimizers(const Registry& registry) {
+  for (const OptimizerDescription& o : registry.optimizers()) {
+    std::cout << fmt::format("{}: {}\n", o.name, o.summary);
+    const std::vector<std::string> needs = o.needs.names();
+    std::cout << fmt::format("  needs: {}; {}; {}{}\n", needs.empty() ? "values" : fmt::format("{}", fmt::join(needs, ", ")),
+                             o.local ? "local" : "global", o.deterministic ? "deterministic" : "random",
+                             o.uses_start ? "" : "; doesn't use the start");
+    if (!o.reference.empty()) std::cout << "  reference: " << o.reference << '\n';
+    list_options(o.options, "  ");
+    std::cout << '\n';
+  }
+  list_absent(registry);
+}
+
+void list_problems(const Registry& registry) {
+  for (const ProblemDescription& p : registry.problems()) {
+    std::cout << fmt::format("{}: {}\n", p.kind, p.summary);
+    if (!p.reference.empty()) std::cout << "  reference: " << p.reference << '\n';
+    list_options(p.options, "  ");
+    std::cout << '\n';
+  }
+}
+
+void list_topologies() {
+  for (const elastic::Topology& topology : elastic::topologies())
+    std::cout << fmt::format("{}: {}{}\n", topology.name, topology.summary, topology.mechanism ? " (a mechanism: refused)" : "");
+}
+
+// The first comment of a study says what it is.
+std::string first_comment(const fs::path& path) {
+  std::ifstream in(path);
+  std::string line;
+  std::getline(in, line);
+  return line.starts_with("# ") ? line.substr(2) : "";
+}
+
+// Beside an installed program, else where the sources are.
+fs::path scenes_directory() {
+  std::error_code error;
+  const fs::path program = fs::read_symlink("/proc/self/exe", error);
+  const fs::path installed = program.parent_path().parent_path() / "share" / "nodal" / "scenes";
+  if (!error && fs::is_directory(installed)) return installed;
+  return NODAL_SCENES;
+}
+
+void list_scenes() {
+  const fs::path directory = scenes_directory();
+  if (!fs::is_directory(directory)) {
+    std::cout << fmt::format("no scenes: '{}' is not there\n", directory.string());
+    return;
+  }
+  std::vector<fs::path> files;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(directory))
+    if (entry.path().extension() == ".toml") files.push_back(entry.path());
+  std::ranges::sort(files);
+  for (const fs::path& file : files) std::cout << fmt::format("{}: {}\n", file.string(), first_comment(file));
+}
+
+void list(const std::string& what, const Registry& registry) {
+  const auto section = [&what](const char* name, auto print) {
+    if (!what.empty() && what != name) return;
+    if (what.empty()) std::cout << "── " << name << " ──\n\n";
+    print();
+    if (what.empty()) std::cout << '\n';
+  };
+  section("optimizers", [&] { list_optimizers(registry); });
+  section("problems", [&] { list_problems(registry); });
+  section("topologies", list_topologies);
+  section("scenes", list_scenes);
+}
+
+}  // namespace
+
+void add_list(CLI::App& app, Program& program) {
+  CLI::App* command = app.add_subcommand("list", "What this build has, with needs and options, and what it lacks");
+  const auto what = std::make_shared<std::string>();
+  command->add_option("what", *what, "optimizers, problems, topologies or scenes; all when left out")
+      ->check(CLI::IsMember({"optimizers", "problems", "topologies", "scenes"}));
+  command->callback([what, &program] { list(*what, program.registry); });
+}
+
+}  // namespace nodal

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "progress.h"
+
+#include <algorithm>
+#include <iostream>
+
+#include <fmt/format.h>
+
+namespace nodal {
+
+namespace {
+
+constexpr std::size_t kBarWidth = 30;
+
+}  // namespace
+
+Progress::~Progress() { close(); }
+
+void Progress::began(std::size_t total, std::size_t stored) {
+  stored_ = stored;
+  began_ = std::chrono::steady_clock::now();
+  if (stored > 0) std::cerr << fmt::format("{} of {} trials are stored already\n", stored, total);
+  if (stored == total) return;
+  if (on_terminal_)
+    draw("", stored, total);
+  else
+    std::cerr << fmt::format("running {} trials\n", total - stored);
+}
+
+void Progress::finished(const TrialRecord& record, std::size_t done, std::size_t total) {
+  if (on_terminal_) {
+    draw(record.optimizer, done, total);
+    return;
+  }
+  const auto digits = std::to_string(total).size();
+  std::cerr << fmt::format("[{:>{}}/{}] {}\n", done, digits, total, trial_line(record));
+}
+
+void Progress::close() {
+  if (open_) std::cerr << '\n';
+  open_ = false;
+}
+
+void Progress::draw(const std::string& what, std::size_t done, std::size_t total) {
+  const std::size_t filled = total > 0 ? kBarWidth * done / total : kBarWidth;
+  std::string bar;
+  for (std::size_t i = 0; i < kBarWidth; ++i) bar += i < filled ? "█" : "░";
+  // "\x1b[K" clears what a longer line before has left.
+  std::cerr << fmt::format("\r{} {}/{} {}  {}\x1b[K", bar, done, total, time_left(done, total), what) << std::flush;
+  open_ = true;
+}
+
+std::string Progress::time_left(std::size_t done, std::size_t total) const {
+  if (done == total) return "done";
+  if (done == stored_) return "";
+  const double spent = std::chrono::duration<double>(std::chrono::steady_clock::now() - began_).count();
+  const double left = spent / static_cast<double>(done - stored_) * static_cast<double>(total - done);
+  const auto seconds = static_cast<long>(left + 0.5);
+  return seconds < 60 ? fmt::format("{} s left", seconds) : fmt::format("{} min {:02} s left", seconds / 60, seconds % 60);
+}
+
+std::string trial_line(const TrialRecord& record) {
+  std::string line = fmt::format("{}, repeat {}: ", record.optimizer, record.repeat);
+  if (record.best && record.best->summary.relative_error)
+    line += fmt::format("relative error {:.4g}, ", *record.best->summary.relative_error);
+  else if (record.best && record.best->summary.quality)
+    line += fmt::format("quality {:.4g}, ", *record.best->summary.quality);
+  return line + fmt::format("{} evaluations, {:.3g} s ({}{}{})", record.counts.evaluations, record.seconds.total,
+                            to_string(record.end), record.reason.empty() ? "" : ": ", record.reason);
+}
+
+}  // namespace nodal

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+/// Turns SIGINT and SIGTERM into a flag while it lives, and puts the former handlers back. One at a time.
+
+#include <signal.h>
+
+#include <atomic>
+
+namespace nodal {
+
+class StopSignal {
+ public:
+  StopSignal();
+  ~StopSignal();
+  StopSignal(const StopSignal&) = delete;
+  StopSignal& operator=(const StopSignal&) = delete;
+
+  [[nodiscard]] const std::atomic<bool>& flag() const noexcept;
+
+ private:
+  struct sigaction former_interrupt_{}, former_terminate_{};
+};
+
+}  // namespace nodal

@@ -1,0 +1,9 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <nodal/command_line.h>
+#include <nodal/components.h>
+
+int main(int argc, char** argv) {
+  nodal::Registry registry;
+  nodal::register_components(registry);
+  return nodal::command_line(registry, argc, argv);
+}

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+
+#include <fmt/format.h>
+
+#include "html.h"
+
+namespace nodal::report {
+
+namespace {
+
+constexpr std::array<Axis, 3> kAxes = {Axis::seconds, Axis::evaluations, Axis::work};
+
+// Digits that no chart can show only make the page large. Qualities need more than positions: near G* the gap is what
+// remains of them.
+constexpr int kPositionDigits = 5, kQualityDigits = 12;
+double shortened(double value, int digits) {
+  return std::strtod(fmt::format("{:.{}g}", value, digits).c_str(), nullptr);
+}
+
+bool drawable(const CurvePoint& p) {
+  return std::isfinite(p.position) && p.position > 0.0 && std::isfinite(p.quality.lower) &&
+         std::isfinite(p.quality.median) && std::isfinite(p.quality.upper);
+}
+
+// A logarithmic axis has no place for zero.
+std::vector<const CurvePoint*> drawable_points(const std::vector<CurvePoint>& curve) {
+  std::vector<const CurvePoint*> points;
+  for (const CurvePoint& p : curve)
+    if (drawable(p)) points.push_back(&p);
+  return points;
+}
+
+Value column(const std::vector<const CurvePoint*>& points, int digits, double (*get)(const CurvePoint&)) {
+  Value::List numbers;
+  for (const CurvePoint* p : points) numbers.push_back(shortened(get(*p), digits));
+  return numbers;
+}
+
+Value curve_value(const std::vector<CurvePoint>& curve) {
+  const std::vector<const CurvePoint*> points = drawable_points(curve);
+  Value value;
+  value.set("x", column(points, kPositionDigits, [](const CurvePoint& p) { return p.position; }));
+  value.set("lower", column(points, kQualityDigits, [](const CurvePoint& p) { return p.quality.lower; }));
+  value.set("median", column(points, kQualityDigits, [](const CurvePoint& p) { return p.quality.median; }));
+  value.set("upper", column(points, kQualityDigits, [](const CurvePoint& p) { return p.quality.upper; }));
+  return value;
+}
+
+// Problems that count no flops have work = evaluations: one axis less to choose from.
+bool work_is_evaluations(const std::vector<OptimizerCurves>& curves) {
+  return std::ranges::all_of(curves, [](const OptimizerCurves& c) {
+    return std::ranges::equal(c.by_axis[static_cast<std::size_t>(Axis::evaluations)],
+                              c.by_axis[static_cast<std::size_t>(Axis::work)], {}, &CurvePoint::position,
+                              &CurvePoint::position);
+  });
+}
+
+Value series_value(const OptimizerCurves& curves, std::span<const Axis> axes, const ProblemTable& table) {
+  const auto row = std::ranges::find(table.rows, curves.optimizer, &OptimizerRow::label);
+  Value value;
+  value.set("label", curves.optimizer);
+  value.set("baseline", row != table.rows.end() && row->baseline);
+  for (const Axis axis : axes) value.set(to_string(axis), curve_value(curves.by_axis[static_cast<std::size_t>(axis)]));
+  return value;
+}
+
+Value chart_value(const ProblemReport& problem, std::span<const Axis> axes) {
+  Value value, names = Value::List{}, series = Value::List{};
+  for (const Axis axis : axes) names.list().push_back(to_string(axis));
+  for (const OptimizerCurves& curves : problem.curves)
+    series.list().push_back(series_value(curves, axes, problem.table));
+  const ProblemReference& reference = problem.table.reference;
+  value.set("axes", names);
+  if (std::isfinite(reference.best_quality)) value.set("best", reference.best_quality);
+  value.set("provisional", reference.provisional);
+  if (problem.table.start_quality) value.set("start", *problem.table.start_quality);
+  if (problem.error_per_quality) value.set("errorPerQuality", *problem.error_per_quality);
+  value.set("series", series);
+  return value;
+}
+
+std::string radio(std::size_t index, const char* group, const char* value, const char* label, bool checked) {
+  return fmt::format(R"(<label><input type="radio" name="{0}-{1}" data-{0}="{2}"{4}> {3}</label>)", group, index, value,
+                     label, checked ? " checked" : "");
+}
+
+std::string controls(const ProblemReport& problem, std::size_t index, std::span<const Axis> axes) {
+  std::string text = R"(<div class="controls"><fieldset><legend>Against</legend>)";
+  for (const Axis axis : axes) {
+    const char* label = axis == Axis::seconds ? "time" : axis == Axis::evaluations ? "evaluations" : "work";
+    text += radio(index, "axis", std::string(to_string(axis)).c_str(), label, axis == axes.front());
+  }
+  text += "</fieldset><fieldset><legend>Show</legend>";
+  text += radio(index, "height", "error", problem.error_per_quality ? "relative error" : "quality", true);
+  text += radio(index, "height", "gap", "gap to G*", false);
+  return text + "</fieldset></div>\n";
+}
+
+}  // namespace
+
+std::string chart_html(const ProblemReport& problem, std::size_t index) {
+  if (problem.curves.empty()) return {};
+  const std::span axes = std::span(kAxes).first(work_is_evaluations(problem.curves) ? 2 : 3);
+  return fmt::format(
+      "<figure class=\"race\" id=\"race-{0}\">\n{1}<div class=\"chart\"></div>\n<div class=\"keys\" role=\"group\" "
+      "aria-label=\"Optimizers shown\"></div>\n<figcaption>Median over trials; the band holds the middle half of them. "
+      "Choose an optimizer below the "
+      "chart to hide or show its line.</figcaption>\n<script type=\"application/json\" "
+      "class=\"race-data\">{2}</script>\n</figure>\n",
+      index, controls(problem, index, axes), escape_script(to_json(chart_value(problem, axes))));
+}
+
+}  // namespace nodal::report

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "html.h"
+#include "number_text.h"
+#include "report.h"
+#include "table.h"
+
+namespace nodal::report {
+
+namespace {
+
+std::string paragraph(const std::string& text) { return "<p>" + escape_html(text) + "</p>\n"; }
+
+std::string count_of(std::size_t n, const char* one, const char* many) {
+  return fmt::format("{} {}", n, n == 1 ? one : many);
+}
+
+std::string headline(const ReportData& data) {
+  std::size_t trials = 0, optimizers = 0;
+  for (const ProblemReport& problem : data.problems) {
+    optimizers = std::max(optimizers, problem.table.rows.size());
+    for (const OptimizerRow& row : problem.table.rows) trials += row.trials;
+  }
+  return fmt::format("<header><h1>{}</h1>\n<p>{} on {}, {}. Which gets how close, how fast?</p></header>\n",
+                     escape_html(data.study_name.empty() ? "Comparison" : data.study_name),
+                     count_of(optimizers, "optimizer", "optimizers"),
+                     count_of(data.problems.size(), "problem", "problems"), count_of(trials, "trial", "trials"));
+}
+
+std::string warnings_html(const ReportData& data) {
+  if (data.warnings.empty()) return {};
+  std::string text = "<section class=\"warnings\"><h2>Warnings</h2><ul>\n";
+  for (const std::string& warning : data.warnings) text += "<li>" + escape_html(warning) + "</li>\n";
+  return text + "</ul></section>\n";
+}
+
+std::string problem_html(const ReportData& data, std::size_t index) {
+  const ProblemReport& problem = data.problems[index];
+  std::vector<const Plate*> plates;
+  for (const Plate& plate : data.plates)
+    if (plate.problem == problem.table.reference.label) plates.push_back(&plate);
+  return "<section class=\"problem\">\n<h2>" + escape_html(problem.table.reference.label) + "</h2>\n" +
+         paragraph(describe_reference(problem) + ".") + chart_html(problem, index) + table_html(problem) +
+         plates_html(plates) + "</section>\n";
+}
+
+std::string how_to_read() {
+  std::string text = "<section><h2>How to read this</h2>\n<ul>\n";
+  for (const std::string& sentence : table_legend()) text += "<li>" + escape_html(sentence) + "</li>\n";
+  text +=
+      "<li>Quartiles: a quarter of the trials ended below the first figure, a quarter above the second.</li>\n"
+      "<li>An evaluation is one cost seen at one point; a derivative at that point is counted as work only.</li>\n"
+      "<li>Work is in equivalent full values: the arithmetic of the trial over that of one full evaluation.</li>\n";
+  return text + "</ul></section>\n";
+}
+
+std::string failures_html(const ReportData& data) {
+  if (data.failed.empty() && data.left_out.empty()) return {};
+  std::string text;
+  if (!data.failed.empty()) {
+    text +=
+        "<section><h2>Trials that failed</h2>\n<div class=\"scroll\"><table class=\"plain\"><thead><tr><th>problem</th>"
+        "<th>optimizer</th><th>repeat</th><th>end</th><th>reason</th></tr></thead><tbody>\n";
+    for (const FailedTrial& t : data.failed)
+      text += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n", escape_html(t.problem),
+                          escape_html(t.optimizer), t.repeat, to_string(t.end), escape_html(t.reason));
+    text += "</tbody></table></div></section>\n";
+  }
+  if (!data.left_out.empty()) {
+    text += "<section><h2>Left out of this build</h2>\n<ul>\n";
+    for (const LeftOut& entry : data.left_out)
+      text += fmt::format("<li>{} (<code>{}</code>): {}</li>\n", escape_html(entry.label), escape_html(entry.use),
+                          escape_html(entry.reason));
+    text += "</ul></section>\n";
+  }
+  return text;
+}
+
+std::string value_text(const Value& value) {
+  if (value.is_text()) return value.text();
+  if (!value.is_table()) return to_json(value);
+  std::string text;
+  for (const auto& [key, entry] : value.table()) text += (text.empty() ? "" : ", ") + key + " " + value_text(entry);
+  return text.empty() ? "–" : text;
+}
+
+std::string provenance_html(const ReportData& data) {
+  std::string text = "<section><h2>Where this comes from</h2>\n";
+  for (const Value& build : data.builds) {
+    text += "<dl>\n";
+    for (const auto& [key, entry] : build.table()) {
+      std::string name = key;
+      std::ranges::replace(name, '_', ' ');
+      text += "<dt>" + escape_html(name) + "</dt><dd>" + escape_html(value_text(entry)) + "</dd>\n";
+    }
+    text += "</dl>\n";
+  }
+  if (!data.study_text.empty())
+    text += "<details><summary>The study, as it was read</summary>\n<pre>" + escape_html(data.study_text) +
+            "</pre></details>\n";
+  return text + "</section>\n";
+}
+
+bool has_charts(const ReportData& data) {
+  return std::ranges::any_of(data.problems, [](const ProblemReport& p) { return !p.curves.empty(); });
+}
+
+}  // namespace
+
+std::string report_html(const ReportData& data) {
+  std::string body = headline(data) + warnings_html(data);
+  for (std::size_t i = 0; i < data.problems.size(); ++i) body += problem_html(data, i);
+  body += how_to_read() + failures_html(data) + provenance_html(data);
+  std::string page =
+      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" +
+      escape_html(data.study_name.empty() ? "nodal" : data.study_name + " – nodal") + "</title>\n<style>\n";
+  page += report_css();
+  page += "</style>\n</head>\n<body>\n<main>\n" + body + "</main>\n";
+  if (has_charts(data)) {
+    page += "<script>\n";
+    page += vega_js();
+    page += "</script>\n<script>\n";
+    page += report_js();
+    page += "</script>\n";
+  }
+  return page + "</body>\n</html>\n";
+}
+
+}  // namespace nodal::report

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+/// Makes plates of an elastic problem: the one place where the report knows the problem.
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <nodal/elastic/elastic_problem.h>
+
+#include "report_data.h"
+
+namespace nodal::report {
+
+/// The system at a point of the problem's space; empty where it has no equilibrium.
+[[nodiscard]] std::optional<Plate> make_plate(const elastic::ElasticProblem& problem, std::span<const double> x,
+                                              std::string problem_label, std::string title);
+
+/// Before and after: the plate at the problem's start and at the best point of the report. Empty when there is no best.
+[[nodiscard]] std::vector<Plate> make_plates(const elastic::ElasticProblem& problem, const ProblemReport& report);
+
+}  // namespace nodal::report

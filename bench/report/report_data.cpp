@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "report_data.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <unordered_set>
+
+#include <fmt/format.h>
+
+#include <nodal/provenance.h>
+
+namespace nodal::report {
+
+namespace {
+
+std::string text_of(const Value& table, std::string_view key) {
+  const Value* value = table.find(key);
+  return value && value->is_text() ? value->text() : std::string();
+}
+
+const Value::List& list_of(const Value& table, std::string_view key) {
+  static const Value::List none;
+  const Value* value = table.find(key);
+  return value && value->is_list() ? value->list() : none;
+}
+
+bool flag_of(const Value& table, std::string_view key) {
+  const Value* value = table.find(key);
+  return value && value->is_boolean() && value->boolean();
+}
+
+struct NamedProblem {
+  std::string label, kind;
+  Value options;
+  std::optional<KnownOptimum> best_known;
+  std::string store;
+};
+
+std::optional<KnownOptimum> known_of(const Value& problem) {
+  const Value* known = problem.find("best_known");
+  if (!known || !known->find("quality")) return std::nullopt;
+  return KnownOptimum{known->at("quality").number(), text_of(*known, "origin"), {}};
+}
+
+// The merge of several stores, on the way to a report.
+class Collection {
+ public:
+  void add(const Store& store) {
+    const Value& manifest = store.manifest();
+    add_study(manifest, store.directory().string());
+    for (const std::string& warning : store.warnings()) warnings.push_back(warning);
+    for (const Value& problem : list_of(manifest, "problems")) add_problem(problem, store.directory().string());
+    for (const Value& optimizer : list_of(manifest, "optimizers")) add_optimizer(optimizer);
+    for (const Value& entry : list_of(manifest, "left_out"))
+      left_out.push_back({text_of(entry, "label"), text_of(entry, "use"), text_of(entry, "reason")});
+    for (const Value& run : list_of(manifest, "runs"))
+      if (const Value* build = run.find("provenance"); build && identities_.insert(build_identity(*build)).second)
+        builds.push_back(*build);
+    add_records(store);
+  }
+
+  // Labels that records have and no manifest names (a store whose manifest was lost).
+  void add_unnamed() {
+    for (const TrialRecord& record : records) {
+      if (std::ranges::find(problems, record.problem, &NamedProblem::label) == problems.end())
+        problems.push_back({record.problem, "", {}, std::nullopt, ""});
+      if (std::ranges::find(optimizers, record.optimizer, &RowRequest::label) == optimizers.end())
+        optimizers.push_back({record.optimizer, record.use, false});
+    }
+  }
+
+  std::string study_name, study_text;
+  std::vector<NamedProblem> problems;
+  std::vector<RowRequest> optimizers;
+  std::vector<LeftOut> left_out;
+  std::vector<Value> builds;
+  std::vector<std::string> warnings;
+  std::vector<TrialRecord> records;
+
+ private:
+  void add_study(const Value& manifest, const std::string& directory) {
+    const Value* study = manifest.find("study");
+    if (!study) return;
+    const std::string name = text_of(*study, "name"), text = text_of(*study, "text");
+    if (study_text.empty()) {
+      study_name = name;
+      study_text = text;
+    } else if (text != study_text) {
+      warnings.push_back(
+          fmt::format("'{}' was made from another text of the study: budgets and options may differ", directory));
+      study_text += fmt::format("\n# ── {} ──\n{}", directory, text);
+    }
+  }
+
+  void add_problem(const Value& problem, const std::string& directory) {
+    NamedProblem named{text_of(problem, "label"), text_of(problem, "kind"), {}, known_of(problem), directory};
+    if (const Value* options = problem.find("options")) named.options = *options;
+    const auto same = std::ranges::find(problems, named.label, &NamedProblem::label);
+    if (same == problems.end()) {
+      problems.push_back(std::move(named));
+      return;
+    }
+    if (same->kind != named.kind || !(same->options == named.options))
+      throw InputError(
+          fmt::format("'{}' and '{}' mean different problems by the label '{}'; give the problems of one of the "
+                      "studies another label",
+                      same->store, directory, named.label));
+    if (!same->best_known) same->best_known = named.best_known;
+  }
+
+  void add_optimizer(const Value& optimizer) {
+    const RowRequest row{text_of(optimizer, "label"), text_of(optimizer, "use"), flag_of(optimizer, "baseline")};
+    const auto same = std::ranges::find(optimizers, row.label, &RowRequest::label);
+    if (same == optimizers.end()) {
+      optimizers.push_back(row);
+    } else if (same->use != row.use) {
+      warnings.push_back(
+          fmt::format("the label '{}' means '{}' in one store and '{}' in another", row.label, same->use, row.use));
+    }
+  }
+
+  void add_records(const Store& store) {
+    std::unordered_set<std::string> wanted;
+    for (const Value& key : list_of(store.manifest(), "keys")) wanted.insert(key.text());
+    std::size_t others = 0;
+    for (const TrialRecord& record : store.records()) {
+      if (!wanted.empty() && !wanted.contains(record.key)) {
+        ++others;
+      } else if (keys_.insert(record.key).second) {
+        records.push_back(record);
+      }
+    }
+    if (others > 0)
+      warnings.push_back(
+          fmt::format("{} stored trials in '{}' are not shown: the study, as it was last run, doesn't ask for them",
+                      others, store.directory().string()));
+  }
+
+  std::set<std::string> identities_, keys_;
+};
+
+// relative error / quality, when all records of a problem agree on it to rounding.
+std::optional<double> error_per_quality(std::span<const TrialRecord* const> records) {
+  constexpr double kSame = 1e-9;  // two divisions and a JSON round trip lose far less
+  std::optional<double> ratio;
+  const auto agrees = [&ratio](const PointSummary& point) {
+    if (!point.quality || *point.quality == 0.0) return true;
+    if (!point.relative_error) return false;
+    const double here = *point.relative_error / *point.quality;
+    if (!ratio) ratio = here;
+    return std::abs(here - *ratio) <= kSame * std::abs(*ratio);
+  };
+  for (const TrialRecord* record : records)
+    if (!agrees(record->start) || (record->best && !agrees(record->best->summary))) return std::nullopt;
+  return ratio;
+}
+
+std::optional<BestOfAll> best_of(std::span<const TrialRecord* const> records) {
+  std::optional<BestOfAll> best;
+  for (const TrialRecord* r : records)
+    if (r->best && r->best->summary.quality && !r->best->x.empty() &&
+        (!best || *r->best->summary.quality < best->quality))
+      best = {r->optimizer, r->repeat, *r->best->summary.quality, r->best->x};
+  return best;
+}
+
+OptimizerCurves curves_of(const std::string& optimizer, std::span<const TrialRecord* const> trials) {
+  OptimizerCurves curves{optimizer, {}};
+  for (const Axis axis : {Axis::seconds, Axis::evaluations, Axis::work})
+    curves.by_axis[static_cast<std::size_t>(axis)] = make_curve(trials, axis);
+  return curves;
+}
+
+ProblemReport make_problem(const NamedProblem& named, const Collection& all) {
+  std::vector<const TrialRecord*> records;
+  for (const TrialRecord& record : all.records)
+    if (record.problem == named.label) records.push_back(&record);
+  ProblemReport report{named.kind,
+                       make_table(named.label, named.best_known, all.optimizers, all.records),
+                       error_per_quality(records),
+                       {},
+                       best_of(records)};
+  // Not run yet: interrupted before its first trial, or left out by --only.
+  std::erase_if(report.table.rows, [](const OptimizerRow& row) { return row.trials == 0; });
+  for (const RowRequest& optimizer : all.optimizers) {
+    std::vector<const TrialRecord*> trials;
+    for (const TrialRecord* record : records)
+      if (record->optimizer == optimizer.label && !record->trace.empty()) trials.push_back(record);
+    if (!trials.empty()) report.curves.push_back(curves_of(optimizer.label, trials));
+  }
+  return report;
+}
+
+bool is_failure(End end) { return end == End::failed || end == End::timeout || end == End::crashed; }
+
+}  // namespace
+
+ReportData collect(std::span<const Store> stores) {
+  Collection all;
+  for (const Store& store : stores) all.add(store);
+  all.add_unnamed();
+  ReportData data;
+  data.study_name = all.study_name;
+  data.study_text = all.study_text;
+  for (const NamedProblem& problem : all.problems) data.problems.push_back(make_problem(problem, all));
+  for (const TrialRecord& record : all.records)
+    if (is_failure(record.end))
+      data.failed.push_back({record.problem, record.optimizer, record.repeat, record.end, record.reason});
+  data.builds = std::move(all.builds);
+  data.warnings = std::move(all.warnings);
+  data.left_out = std::move(all.left_out);
+  return data;
+}
+
+}  // namespace nodal::report

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "number_text.h"
+#include "report.h"
+
+namespace nodal::report {
+
+namespace {
+
+constexpr std::array<Axis, 3> kAxes = {Axis::seconds, Axis::evaluations, Axis::work};
+
+std::string quoted(const std::string& text) {
+  if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
+  std::string result = "\"";
+  for (const char c : text) result += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return result + "\"";
+}
+
+// Fewest digits that read back to the same double.
+std::string exact(std::optional<double> value) {
+  return value && std::isfinite(*value) ? fmt::format("{}", *value) : "";
+}
+
+void add_quartiles(std::vector<std::string>& cells, const std::optional<Quartiles>& q) {
+  cells.push_back(q ? exact(q->lower) : "");
+  cells.push_back(q ? exact(q->median) : "");
+  cells.push_back(q ? exact(q->upper) : "");
+}
+
+std::vector<std::string> header() {
+  std::vector<std::string> names = {"problem",
+                                    "optimizer",
+                                    "use",
+                                    "baseline",
+                                    "trials",
+                                    "failed",
+                                    "best_known",
+                                    "best_known_origin",
+                                    "best_known_provisional",
+                                    "start_quality",
+                                    "start_relative_error"};
+  for (const char* figure : {"quality", "relative_error", "evaluations", "factorizations", "seconds", "work"})
+    for (const char* part : {"lower", "median", "upper"}) names.push_back(fmt::format("{}_{}", figure, part));
+  for (const double gap : kTargetGaps) {
+    const std::string suffix = "_to_gap_" + gap_text(gap);
+    names.push_back("success_rate" + suffix);
+    for (const Axis axis : kAxes) names.push_back(std::string(to_string(axis)) + suffix);
+    for (const Axis axis : kAxes) names.push_back(std::string(to_string(axis)) + "_multiple" + suffix);
+  }
+  return names;
+}
+
+std::vector<std::string> cells_of(const ProblemTable& table, const OptimizerRow& row) {
+  std::vector<std::string> cells = {quoted(table.reference.label),
+                                    quoted(row.label),
+                                    quoted(row.use),
+                                    row.baseline ? "true" : "false",
+                                    std::to_string(row.trials),
+                                    std::to_string(row.failed),
+                                    exact(table.reference.best_quality),
+                                    quoted(table.reference.origin),
+                                    table.reference.provisional ? "true" : "false",
+                                    exact(table.start_quality),
+                                    exact(table.start_relative_error)};
+  for (const auto* q :
+       {&row.quality, &row.relative_error, &row.evaluations, &row.factorizations, &row.seconds, &row.work})
+    add_quartiles(cells, *q);
+  for (const TargetRow& target : row.targets) {
+    cells.push_back(exact(target.success_rate));
+    for (const Axis axis : kAxes) cells.push_back(exact(target.median[static_cast<std::size_t>(axis)]));
+    for (const Axis axis : kAxes) cells.push_back(exact(target.multiple[static_cast<std::size_t>(axis)]));
+  }
+  return cells;
+}
+
+}  // namespace
+
+std::string summary_csv(const ReportData& data) {
+  std::string text = fmt::format("{}\n", fmt::join(header(), ","));
+  for (const ProblemReport& problem : data.problems)
+    for (const OptimizerRow& row : problem.table.rows)
+      text += fmt::format("{}\n", fmt::join(cells_of(problem.table, row), ","));
+  return text;
+}
+
+}  // namespace nodal::report

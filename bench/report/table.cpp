@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "table.h"
+
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <limits>
+#include <tuple>
+
+#include <fmt/format.h>
+
+#include "number_text.h"
+
+namespace nodal::report {
+
+namespace {
+
+constexpr int kDigits = 4;  // of errors and qualities
+constexpr std::array<double, 3> kShownGaps = {1e-1, 1e-2, 1e-3};
+constexpr double kNever = std::numeric_limits<double>::infinity();
+constexpr auto kSeconds = static_cast<std::size_t>(Axis::seconds);
+
+// A column and how a row fills it.
+struct Filler {
+  Column column;
+  std::function<std::string(const OptimizerRow&)> cell;
+};
+
+std::string or_dash(const std::optional<Quartiles>& q, std::string (*text)(double)) {
+  return q ? text(q->median) : "–";
+}
+
+std::string median_text(const std::optional<Quartiles>& q) { return q ? figure_text(q->median, kDigits) : "–"; }
+
+std::string spread_text(const std::optional<Quartiles>& q) {
+  return q ? fmt::format("[{}, {}]", figure_text(q->lower, kDigits), figure_text(q->upper, kDigits)) : "";
+}
+
+std::string label_text(const OptimizerRow& row) { return row.baseline ? row.label + " (baseline)" : row.label; }
+
+std::string reached_text(const OptimizerRow& row, double gap) {
+  const std::optional<double>& seconds = row.target(gap).median[kSeconds];
+  return seconds ? seconds_text(*seconds) : "never";
+}
+
+std::string success_text(const OptimizerRow& row) {
+  const double reached = row.target(kDefaultGap).success_rate * static_cast<double>(row.trials);
+  return fmt::format("{:.0f} of {}", reached, row.trials);
+}
+
+// Says which of the two never gets there, rather than a number that isn't one.
+std::string faster_text(const OptimizerRow& row, const OptimizerRow* baseline) {
+  if (!baseline || row.baseline) return row.baseline ? "1×" : "–";
+  const TargetRow& target = row.target(kDefaultGap);
+  if (const auto& multiple = target.multiple[kSeconds]) return multiple_text(*multiple);
+  const bool baseline_reaches = baseline->target(kDefaultGap).median[kSeconds].has_value();
+  if (!target.median[kSeconds]) return baseline_reaches ? "never" : "both never";
+  return "baseline never";
+}
+
+void add_errors(std::vector<Filler>& fillers, bool has_error) {
+  const auto error = [has_error](const OptimizerRow& r) { return has_error ? r.relative_error : r.quality; };
+  fillers.push_back({{has_error ? "relative" : "quality", has_error ? "error" : "median",
+                      has_error ? "relative error: 0 is perfect, 1 is as bad as no displacement at all"
+                                : "quality of the best point: smaller is better"},
+                     [error](const OptimizerRow& r) { return median_text(error(r)); }});
+  fillers.push_back({{"", "[quartiles]", "a quarter of the trials is below the first, a quarter above the second",
+                      false, 3, "quartiles"},
+                     [error](const OptimizerRow& r) { return spread_text(error(r)); }});
+  if (has_error)
+    fillers.push_back({{"G", "median", "the paper's quality measure: smaller is better"},
+                       [](const OptimizerRow& r) { return median_text(r.quality); }});
+}
+
+void add_costs(std::vector<Filler>& fillers, bool has_factorizations) {
+  fillers.push_back(
+      {{"evalu-", "ations", "costs seen at a point until the trial ended, median", false, 1, "evaluations"},
+       [](const OptimizerRow& r) { return or_dash(r.evaluations, count_text); }});
+  if (has_factorizations)
+    fillers.push_back(
+        {{"factori-", "zations", "numeric factorizations until the trial ended, median", false, 2, "factorizations"},
+         [](const OptimizerRow& r) { return or_dash(r.factorizations, count_text); }});
+  fillers.push_back({{"total", "time", "wall time of a whole trial, median"},
+                     [](const OptimizerRow& r) { return or_dash(r.seconds, seconds_text); }});
+}
+
+void add_targets(std::vector<Filler>& fillers, const OptimizerRow* baseline) {
+  for (const double gap : kShownGaps)
+    fillers.push_back(
+        {{"time to", gap_text(gap), "wall time until the gap was as small as this, median over all trials"},
+         [gap](const OptimizerRow& r) { return reached_text(r, gap); }});
+  if (baseline)
+    fillers.push_back({{"times", "faster", "the baseline's median time to gap 0.01 over this optimizer's"},
+                       [baseline](const OptimizerRow& r) { return faster_text(r, baseline); }});
+  fillers.push_back({{"reached", gap_text(kDefaultGap), "success: trials that reached this gap"}, success_text});
+}
+
+std::vector<const OptimizerRow*> best_first(const ProblemTable& table, bool has_error) {
+  const auto key = [has_error](const OptimizerRow* row) {
+    const std::optional<Quartiles>& q = has_error ? row->relative_error : row->quality;
+    const double printed = q ? std::stod(fmt::format("{:.{}e}", q->median, kDigits - 1)) : kNever;
+    return std::tuple(printed, row->target(kDefaultGap).median[kSeconds].value_or(kNever));
+  };
+  std::vector<const OptimizerRow*> rows;
+  for (const OptimizerRow& row : table.rows) rows.push_back(&row);
+  std::ranges::stable_sort(rows, {}, key);
+  return rows;
+}
+
+}  // namespace
+
+Table make_text_table(const ProblemReport& problem) {
+  const std::vector<OptimizerRow>& all = problem.table.rows;
+  const bool has_error = std::ranges::any_of(all, [](const OptimizerRow& r) { return r.relative_error.has_value(); });
+  const bool has_factorizations =
+      std::ranges::any_of(all, [](const OptimizerRow& r) { return r.factorizations && r.factorizations->upper > 0.0; });
+  const auto baseline = std::ranges::find_if(all, &OptimizerRow::baseline);
+
+  std::vector<Filler> fillers = {{{"", "optimizer", "as the study labels it", true}, label_text}};
+  add_errors(fillers, has_error);
+  add_costs(fillers, has_factorizations);
+  add_targets(fillers, baseline == all.end() ? nullptr : &*baseline);
+  if (std::ranges::any_of(all, [](const OptimizerRow& r) { return r.failed > 0; }))
+    fillers.push_back({{"failed", "", "ended failed, timed out or crashed; the reasons are listed below"},
+                       [](const OptimizerRow& r) { return std::to_string(r.failed); }});
+
+  Table table;
+  for (const Filler& filler : fillers) table.columns.push_back(filler.column);
+  for (const OptimizerRow* row : best_first(problem.table, has_error)) {
+    std::vector<std::string>& cells = table.rows.emplace_back();
+    for (const Filler& filler : fillers) cells.push_back(filler.cell(*row));
+    table.optimizers.push_back(row->label);
+  }
+  return table;
+}
+
+std::string describe_reference(const ProblemReport& problem) {
+  const ProblemTable& table = problem.table;
+  const ProblemReference& reference = table.reference;
+  const std::string best = figure_text(reference.best_quality, kDigits);
+  std::string text;
+  if (table.start_quality) {
+    text = "G at the start " + figure_text(*table.start_quality, kDigits);
+    if (table.start_relative_error)
+      text += fmt::format(" (relative error {})", figure_text(*table.start_relative_error, kDigits));
+    text += "; ";
+  }
+  if (reference.provisional) return text + "G* = " + best + ", provisional: " + reference.origin;
+  return text + "G* = " + best + (reference.origin.empty() ? "" : " (" + reference.origin + ")");
+}
+
+std::vector<std::string> table_legend() {
+  return {"Best first: by error as printed, equal ones by time to gap 0.01. Times and counts are medians over trials.",
+          "Gap = (G − G*)/(G at the start − G*): 1 at the start, 0 at G*, the best known. \"Time to 0.01\" is the time "
+          "to that gap.",
+          "Never: the median trial doesn't get there. Times faster: the baseline's time to gap 0.01 over this one's.",
+          "Reached: trials that got to gap 0.01, of all trials."};
+}
+
+}  // namespace nodal::report

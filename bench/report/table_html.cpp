@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "html.h"
+#include "table.h"
+
+namespace nodal::report {
+
+std::string escape_html(std::string_view text) {
+  std::string result;
+  result.reserve(text.size());
+  for (const char c : text) switch (c) {
+      case '&':
+        result += "&amp;";
+        break;
+      case '<':
+        result += "&lt;";
+        break;
+      case '>':
+        result += "&gt;";
+        break;
+      case '"':
+        result += "&quot;";
+        break;
+      case '\'':
+        result += "&#39;";
+        break;
+      default:
+        result += c;
+    }
+  return result;
+}
+
+std::string escape_script(std::string json) {
+  for (std::size_t at = json.find('<'); at != std::string::npos; at = json.find('<', at))
+    json.replace(at, 1, "\\u003c");
+  return json;
+}
+
+namespace {
+
+std::string head(const std::vector<Column>& columns) {
+  std::string text = "<thead><tr>";
+  for (const Column& c : columns)
+    text += fmt::format(R"(<th scope="col"{} title="{}">{}<br>{}</th>)", c.left ? " class=\"label\"" : "",
+                        escape_html(c.help), escape_html(c.title), escape_html(c.subtitle));
+  return text + "</tr></thead>\n";
+}
+
+std::string body_row(const std::vector<Column>& columns, const std::vector<std::string>& cells, bool baseline) {
+  std::string text = baseline ? "<tr class=\"baseline\">" : "<tr>";
+  for (std::size_t c = 0; c < cells.size(); ++c)
+    text += columns[c].left ? fmt::format(R"(<th scope="row">{}</th>)", escape_html(cells[c]))
+                            : fmt::format("<td{}>{}</td>", cells[c].ends_with("never") ? " class=\"never\"" : "",
+                                          escape_html(cells[c]));
+  return text + "</tr>\n";
+}
+
+}  // namespace
+
+std::string table_html(const ProblemReport& problem) {
+  const Table table = make_text_table(problem);
+  std::string text = "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"Results\"><table>\n" +
+                     head(table.columns) + "<tbody>\n";
+  for (std::size_t r = 0; r < table.rows.size(); ++r) {
+    const auto row = std::ranges::find(problem.table.rows, table.optimizers[r], &OptimizerRow::label);
+    text += body_row(table.columns, table.rows[r], row != problem.table.rows.end() && row->baseline);
+  }
+  return text + "</tbody></table></div>\n";
+}
+
+}  // namespace nodal::report

@@ -1,0 +1,14 @@
+# What a build can be asked for. Every option is prefixed NODAL_.
+include(GNUInstallDirs)
+
+if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "Debug, Release, RelWithDebInfo or MinSizeRel" FORCE)
+endif()
+
+set(NODAL_NLOPT AUTO CACHE STRING "NLopt's optimizers: AUTO (when found), ON (required) or OFF")
+set(NODAL_CERES AUTO CACHE STRING "Ceres' optimizers: AUTO (when found), ON (required) or OFF")
+set_property(CACHE NODAL_NLOPT NODAL_CERES PROPERTY STRINGS AUTO ON OFF)
+option(NODAL_TESTS "Build the tests" ${PROJECT_IS_TOP_LEVEL})
+option(NODAL_MICRO "Build the micro-benchmarks (Google Benchmark)" ${PROJECT_IS_TOP_LEVEL})
+option(NODAL_WERROR "Treat warnings as errors" OFF)
+set(NODAL_SANITIZE "" CACHE STRING "Sanitizers to build with, e.g. address,undefined")

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+/// What stored trials say: pure functions of records, the same for table, CSV and page.
+///
+/// Gap = (G − G*)/(G_start − G*). Work is counted in equivalent full values, the start's included: factorizations at their
+/// own flops, the rest of the trial's flops (solves) spread evenly over its evaluations, divided by the flops of one full
+/// value. For problems that count no flops it is evaluations.
+/// Medians over repeats count a trial that never reached a target as infinitely long; "never" is an empty optional.
+
+#include <array>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <nodal/record.h>
+
+namespace nodal {
+
+enum class Axis { seconds, evaluations, work };
+[[nodiscard]] std::string_view to_string(Axis axis) noexcept;
+
+/// Gaps at which time to target is stated.
+inline constexpr std::array<double, 8> kTargetGaps = {1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8};
+/// The gap of the success rate and of the baseline's multiples unless said otherwise.
+inline constexpr double kDefaultGap = 1e-2;
+
+struct Quartiles {
+  double lower = 0.0, median = 0.0, upper = 0.0;
+};
+
+/// Linear interpolation between order statistics (Hyndman & Fan type 7); empty for no values.
+[[nodiscard]] std::optional<Quartiles> quartiles(std::vector<double> values);
+
+/// The problem of a table: what G is measured against.
+struct ProblemReference {
+  std::string label;
+  double best_quality = 0.0;   ///< G*
+  std::string origin;          ///< who says so
+  bool provisional = false;    ///< true when it is merely the best of these trials
+};
+
+struct TargetRow {
+  double gap = 0.0;
+  double success_rate = 0.0;                          ///< of all repeats
+  std::array<std::optional<double>, 3> median;        ///< by Axis; empty: never
+  std::array<std::optional<double>, 3> multiple;      ///< baseline's median over this one's; empty: never or no baseline
+};
+
+struct OptimizerRow {
+  std::string label, use;
+  bool baseline = false;
+  std::size_t trials = 0;
+  std::size_t failed = 0;                             ///< ended failed, timeout or crashed
+  std::optional<Quartiles> quality, relative_error;   ///< of the best points
+  std::optional<Quartiles> evaluations, factorizations, seconds, work;
+  std::array<TargetRow, kTargetGaps.size()> targets;
+  std::vector<std::string> reasons;                   ///< of failed trials, each once
+
+  [[nodiscard]] const TargetRow& target(double gap) const;
+};
+
+struct ProblemTable {
+  ProblemReference reference;
+  std::optional<double> start_quality, start_relative_error;
+  std::vector<OptimizerRow> rows;                     ///< in the order asked for
+};
+
+/// An optimizer in a table: label, `use`, and whether it is the baseline.
+struct RowRequest {
+  std::string label, use;
+  bool baseline = false;
+};
+
+/// `best_known` without a value: the best of the records, marked provisional.
+[[nodiscard]] ProblemTable make_table(const std::string& problem_label, std::optional<KnownOptimum> best_known,
+                                      std::span<const RowRequest> optimizers, std::span<const TrialRecord> records);
+
+/// Where a trial stood on an axis when it first had quality ≤ the given one; empty: never.
+[[nodiscard]] std::optional<double> first_reached(const TrialRecord& record, double quality, Axis axis);
+/// The trial's position on an axis at a point of its trace, and at its end.
+[[nodiscard]] double position(const TrialRecord& record, const TracePoint& point, Axis axis);
+[[nodiscard]] double end_position(const TrialRecord& record, Axis axis);
+
+/// Best quality so far over an axis: median and quartiles over an optimizer's trials at logarithmically spaced positions.
+/// A trial that has ended keeps its best. Begins where the median trial has its first point.
+struct CurvePoint {
+  double position = 0.0;
+  Quartiles quality;
+};
+[[nodiscard]] std::vector<CurvePoint> make_curve(std::span<const TrialRecord* const> trials, Axis axis,
+                                                 std::size_t points = 120);
+
+}  // namespace nodal

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+/// A walk through the space that changes one coordinate at a time: what annealing does.
+///
+/// A problem that can price such a change for less than a full value offers its own Moves (the elastic problem: rank-one
+/// algebra); for the others the meter supplies an adapter by full evaluation. The walk is independent of the
+/// evaluator's last point.
+///
+///     reset(x) → { propose(i, value) → [accept()] }*
+///
+/// Cost     `propose` must not allocate after the first call.
+/// Threads  as the evaluator that owns it: one thread.
+
+#include <cstddef>
+#include <span>
+
+#include <nodal/status.h>
+
+namespace nodal {
+
+class Moves {
+ public:
+  virtual ~Moves() = default;
+
+  /// Makes x the current point by one full evaluation and returns its cost.
+  virtual Evaluation reset(std::span<const double> x) = 0;
+  /// Prices the current point with coordinate `i` set to `value`. The current point stays.
+  virtual Evaluation propose(std::size_t i, double value) = 0;
+  /// Makes the last proposal the current point. std::logic_error unless that proposal was `ok` and not yet accepted.
+  /// Another status than ok leaves the current point as it was.
+  [[nodiscard]] virtual Status accept() = 0;
+  /// The current point; valid until the next call of accept, reset or resync.
+  [[nodiscard]] virtual std::span<const double> current_point() const = 0;
+  /// Evaluates the current point afresh, drops accumulated rounding, and returns its cost.
+  virtual Evaluation resync() = 0;
+
+ protected:
+  Moves() = default;
+  Moves(const Moves&) = delete;
+  Moves& operator=(const Moves&) = delete;
+};
+
+}  // namespace nodal

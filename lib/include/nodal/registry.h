@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+/// What this program can compare: descriptions of problems and optimizers, filled by explicit calls, no static objects.
+///
+/// Each component folder has one function `void register_<folder>(Registry&)`; the build collects them.
+/// Threads  fill it first, then share it.
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <nodal/optimizer.h>
+#include <nodal/options.h>
+#include <nodal/problem.h>
+
+namespace nodal {
+
+struct OptimizerDescription {
+  std::string name = {};           ///< as `use` names it, e.g. "nlopt-crs2-lm"
+  std::string summary = {};        ///< one line
+  std::string reference = {};      ///< where the method is described
+  Abilities needs = {};
+  bool deterministic = false;      ///< draws nothing from the stream
+  bool uses_start = true;          ///< false for methods that search the whole box regardless
+  bool local = false;              ///< goes to a nearby minimum: worth wrapping in multi-start
+  OptionSchema options = {};
+  std::function<std::unique_ptr<Optimizer>(const Options&)> make = {};
+};
+
+/// Where a problem of a study stands: relative files are looked up beside the study.
+struct ProblemContext {
+  std::filesystem::path directory;
+  Source source;
+};
+
+struct ProblemDescription {
+  std::string kind = {};           ///< as `kind` names it, e.g. "elastic"
+  std::string summary = {};
+  std::string reference = {};
+  OptionSchema options = {};       ///< beside kind, label and best_known, which the study itself knows
+  /// InputError (with the source of the value at fault) for options that are each valid but don't make a problem.
+  std::function<std::shared_ptr<const Problem>(const Options&, const ProblemContext&)> make = {};
+};
+
+/// Something that this build lacks, and how to get it. `name` is a whole name, or a prefix when it ends with '*'.
+struct AbsentDescription {
+  std::string name = {};
+  std::string reason = {};
+};
+
+class Registry {
+ public:
+  /// std::logic_error when the name is taken.
+  void add(OptimizerDescription description);
+  void add(ProblemDescription description);
+  void add(AbsentDescription description);
+
+  [[nodiscard]] const OptimizerDescription* find_optimizer(std::string_view name) const;
+  [[nodiscard]] const ProblemDescription* find_problem(std::string_view kind) const;
+  /// Why `name` isn't here, when that is known.
+  [[nodiscard]] const AbsentDescription* find_absent(std::string_view name) const;
+
+  // In the order in which they were added.
+  [[nodiscard]] const std::vector<OptimizerDescription>& optimizers() const noexcept { return optimizers_; }
+  [[nodiscard]] const std::vector<ProblemDescription>& problems() const noexcept { return problems_; }
+  [[nodiscard]] const std::vector<AbsentDescription>& absent() const noexcept { return absent_; }
+
+ private:
+  std::vector<OptimizerDescription> optimizers_;
+  std::vector<ProblemDescription> problems_;
+  std::vector<AbsentDescription> absent_;
+};
+
+}  // namespace nodal

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+/// A study's directory: manifest.json, trials/*.jsonl (one file per writing process, append-only), report.html,
+/// summary.csv, figures/.
+///
+/// Crash-safe: a record is one line, written by one call; a line that was cut off or garbled is dropped with a warning
+/// when the store is opened, and its trial runs again. Nothing stored is ever overwritten.
+///
+/// Errors   StoreError when a file can't be made or written (folder, reason). InputError for a store of a newer schema
+///          or a manifest that can't be read.
+/// Threads  one object per process, one thread.
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <nodal/record.h>
+#include <nodal/study.h>
+
+namespace nodal {
+
+class Store {
+ public:
+  /// Opens a store for reading and, with the first `append`, for writing. The directory is made when it isn't there.
+  explicit Store(std::filesystem::path directory);
+  /// Opens a store that must exist, for reading; nothing is created.
+  [[nodiscard]] static Store open_existing(const std::filesystem::path& directory);
+  ~Store();
+  Store(Store&&) noexcept;
+  Store& operator=(Store&&) noexcept;
+
+  [[nodiscard]] const std::filesystem::path& directory() const noexcept;
+  /// Dropped lines and mixed builds, for people.
+  [[nodiscard]] const std::vector<std::string>& warnings() const noexcept;
+  /// Every valid record, oldest first; of two with one key the first counts.
+  [[nodiscard]] const std::vector<TrialRecord>& records() const noexcept;
+  [[nodiscard]] const TrialRecord* find(std::string_view key) const;
+
+  /// Writes the study into the manifest (atomically), with this build's provenance and the keys of its trials, before
+  /// the first trial runs. Warns when results of another build are here.
+  void begin(const Study& study);
+  /// Stores one record: written and flushed to the system when this returns.
+  void append(const TrialRecord& record);
+
+  /// The manifest as it stands: {schema, study: {name, text, file, directory}, problems: [{label, kind, options,
+  /// best_known}], optimizers: [{label, use, baseline}], left_out: […], keys: [the current study's trials], runs:
+  /// [{began, provenance}]}. Empty table for a new store.
+  [[nodiscard]] const Value& manifest() const noexcept;
+
+  /// Writes a file of the store (report.html, …) atomically.
+  void write_file(const std::string& name, std::string_view content);
+
+ private:
+  struct State;
+  explicit Store(std::unique_ptr<State> state);
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace nodal

@@ -1,0 +1,288 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <nodal/meter.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <stdexcept>
+
+#include "full_evaluation_moves.h"
+
+namespace nodal {
+
+namespace {
+
+constexpr std::size_t kTraceKept = 2000;           // as a record promises
+constexpr std::size_t kTraceRoom = 2 * kTraceKept;  // thinned whenever it is full, so that nothing is ever allocated
+constexpr double kSampleEverySeconds = 1e-4;
+constexpr std::int64_t kLongestStride = 1024;
+constexpr std::size_t kNoCoordinate = static_cast<std::size_t>(-1);
+
+double seconds_between(Meter::Clock::time_point a, Meter::Clock::time_point b) {
+  return std::chrono::duration<double>(b - a).count();
+}
+
+}  // namespace
+
+void thin_trace(std::vector<TracePoint>& trace, std::size_t most) {
+  if (trace.size() <= most || most < 3) return;
+  // The trace falls in quality, so the best point of an interval is its last.
+  const double first = std::log1p(static_cast<double>(trace[1].evaluation));
+  const double last = std::log1p(static_cast<double>(trace.back().evaluation));
+  const double intervals = static_cast<double>(most - 2);
+  const auto interval_of = [&](const TracePoint& p) {
+    const double share = (std::log1p(static_cast<double>(p.evaluation)) - first) / (last - first);
+    return std::min(std::floor(share * intervals), intervals - 1.0);
+  };
+  std::size_t kept = 1;
+  for (std::size_t i = 1; i < trace.size(); ++i) {
+    const bool ends_interval = i + 1 == trace.size() || interval_of(trace[i + 1]) != interval_of(trace[i]);
+    if (ends_interval) trace[kept++] = trace[i];
+  }
+  trace.resize(kept);
+}
+
+Meter::Meter(const Problem& problem, Evaluator& evaluator, std::span<const double> start, const Limits& limits,
+             Clock::time_point began)
+    : problem_(problem),
+      evaluator_(evaluator),
+      space_(problem.space()),
+      limits_(limits),
+      began_(began),
+      best_x_(space_.size()),
+      last_x_(space_.size()) {
+  if (start.size() != space_.size()) throw std::invalid_argument("Meter: the start has the wrong number of coordinates");
+  trace_.reserve(kTraceRoom);
+  start_ = evaluator_.value(start);
+  if (start_.ok() && !std::isfinite(start_.cost)) start_.status = Status::invalid_input;
+  keep_last_point(start, start_);
+  if (start_.ok()) improve(start, start_.cost, kNoCoordinate, 0.0);
+  previous_sample_ = Clock::now();
+}
+
+Meter::~Meter() = default;
+
+void Meter::set_target(double quality) {
+  target_quality_ = quality;
+  if (has_best() && problem_.quality(best_cost_) <= quality) stop_ = Stop::target;
+}
+
+double Meter::seconds_now() const noexcept { return seconds_between(began_, Clock::now()); }
+
+bool Meter::refuse() noexcept {
+  if (stop_ == Stop::none) stop_ = Stop::evaluations;
+  ++counts_.refused;
+  return false;
+}
+
+// Chooses the next stride so that the clock is read about every kSampleEverySeconds, doubling at most, so that a problem
+// that turns slow is noticed soon.
+bool Meter::begin_sample() noexcept {
+  sample_began_ = Clock::now();
+  if (seconds_between(began_, sample_began_) >= limits_.seconds) {
+    stop_ = Stop::seconds;
+    --counts_.evaluations;
+    ++counts_.refused;
+    until_sample_ = 1;
+    return false;
+  }
+  sampling_ = true;
+  return true;
+}
+
+void Meter::end_sample() noexcept {
+  sampling_ = false;
+  const Clock::time_point now = Clock::now();
+  evaluation_seconds_ += seconds_between(sample_began_, now) * static_cast<double>(stride_);
+  const double per_evaluation = seconds_between(previous_sample_, now) / static_cast<double>(stride_);
+  const double wanted = kSampleEverySeconds / std::max(per_evaluation, 1e-9);
+  stride_ = std::clamp(static_cast<std::int64_t>(std::min(wanted, 1e6)), std::int64_t{1},
+                       std::min(kLongestStride, 2 * stride_));
+  until_sample_ = stride_;
+  previous_sample_ = now;
+  if (seconds_between(began_, now) >= limits_.seconds) stop_ = Stop::seconds;
+}
+
+Evaluation Meter::settle(Evaluation result, std::span<const double> x) {
+  if (sampling_) [[unlikely]] end_sample();
+  if (result.ok() && !std::isfinite(result.cost)) [[unlikely]] result.status = Status::invalid_input;
+  if (!result.ok()) [[unlikely]] {
+    ++failed_;
+  } else if (result.cost < best_cost_) {
+    improve(x, result.cost, kNoCoordinate, 0.0);
+  }
+  keep_last_point(x, result);
+  return result;
+}
+
+// An evaluation that ended after the deadline doesn't count: best and trace hold in-budget points only.
+void Meter::improve(std::span<const double> x, double cost, std::size_t changed, double changed_value) {
+  const double seconds = seconds_now();
+  if (seconds >= limits_.seconds && best_evaluation_ >= 0) {
+    stop_ = Stop::seconds;
+    return;
+  }
+  best_cost_ = cost;
+  best_evaluation_ = counts_.evaluations;
+  std::ranges::copy(x, best_x_.begin());
+  if (changed != kNoCoordinate) best_x_[changed] = changed_value;
+  if (trace_.size() == kTraceRoom) thin_trace(trace_, kTraceKept);
+  const double quality = problem_.quality(cost);
+  trace_.push_back({counts_.evaluations, seconds, evaluator_.work().factorizations, quality});
+  if (quality <= target_quality_) stop_ = Stop::target;
+}
+
+bool Meter::at_last_point(std::span<const double> x) const noexcept {
+  return last_.ok() && x.size() == last_x_.size() && std::memcmp(x.data(), last_x_.data(), x.size_bytes()) == 0;
+}
+
+void Meter::keep_last_point(std::span<const double> x, const Evaluation& result) {
+  last_ = result;
+  if (result.ok()) std::ranges::copy(x, last_x_.begin());
+}
+
+Evaluation Meter::value(std::span<const double> x) {
+  if (!admit()) return {Status::budget_spent, 0.0};
+  ++counts_.values;
+  return settle(evaluator_.value(x), x);
+}
+
+namespace {
+
+bool all_finite(std::span<const double> numbers) {
+  // One pass without branches: a sum of x·0 is 0 unless some x is NaN or infinite.
+  double sum = 0.0;
+  for (const double number : numbers) sum += number * 0.0;
+  return sum == 0.0;
+}
+
+}  // namespace
+
+Evaluation Meter::value_and_gradient(std::span<const double> x, std::span<double> gradient) {
+  if (at_last_point(x)) {
+    if (spent()) {
+      ++counts_.refused;
+      return {Status::budget_spent, 0.0};
+    }
+    ++counts_.gradients;
+    Evaluation result = last_;
+    result.status = evaluator_.gradient(gradient);
+    if (result.ok() && !all_finite(gradient)) result.status = Status::invalid_input;
+    return result;
+  }
+  if (!admit()) return {Status::budget_spent, 0.0};
+  ++counts_.values;
+  ++counts_.gradients;
+  Evaluation result = evaluator_.value_and_gradient(x, gradient);
+  if (result.ok() && !all_finite(gradient)) result.status = Status::invalid_input;
+  return settle(result, x);
+}
+
+Evaluation Meter::residuals(std::span<const double> x, std::span<double> residuals) {
+  if (at_last_point(x)) {
+    if (spent()) {
+      ++counts_.refused;
+      return {Status::budget_spent, 0.0};
+    }
+    ++counts_.residuals;
+    return evaluator_.residuals(x, residuals);
+  }
+  if (!admit()) return {Status::budget_spent, 0.0};
+  ++counts_.residuals;
+  return settle(evaluator_.residuals(x, residuals), x);
+}
+
+Evaluation Meter::residuals_and_jacobian(std::span<const double> x, std::span<double> residuals,
+                                         std::span<double> jacobian) {
+  const bool repeated = at_last_point(x);
+  if (repeated && spent()) {
+    ++counts_.refused;
+    return {Status::budget_spent, 0.0};
+  }
+  if (!repeated && !admit()) return {Status::budget_spent, 0.0};
+  ++counts_.residuals;
+  ++counts_.jacobians;
+  Evaluation result = evaluator_.residuals_and_jacobian(x, residuals, jacobian);
+  if (result.ok() && !all_finite(jacobian)) result.status = Status::invalid_input;
+  return repeated ? result : settle(result, x);
+}
+
+Status Meter::jacobian_product(std::span<const double> v, std::span<double> jv) {
+  if (spent()) {
+    ++counts_.refused;
+    return Status::budget_spent;
+  }
+  ++counts_.products;
+  return evaluator_.jacobian_product(v, jv);
+}
+
+Status Meter::jacobian_transposed_product(std::span<const double> w, std::span<double> jtw) {
+  if (spent()) {
+    ++counts_.refused;
+    return Status::budget_spent;
+  }
+  ++counts_.products;
+  return evaluator_.jacobian_transposed_product(w, jtw);
+}
+
+MeteredMoves& Meter::moves() {
+  if (!moves_) {
+    Moves* own = evaluator_.moves();
+    if (!own) {
+      adapter_ = std::make_unique<FullEvaluationMoves>(evaluator_, space_.size());
+      own = adapter_.get();
+    }
+    moves_.reset(new MeteredMoves(*this, *own));
+  }
+  return *moves_;
+}
+
+void Meter::note_drift(double expected, const Evaluation& fresh) {
+  if (!fresh.ok() || !start_.ok() || !(start_.cost > 0.0)) return;
+  drift_ = std::max(drift_.value_or(0.0), std::abs(expected - fresh.cost) / start_.cost);
+}
+
+Evaluation MeteredMoves::reset(std::span<const double> x) {
+  // A walk evaluates on its own account: the evaluator's last point may be another now.
+  meter_->last_.status = Status::invalid_input;
+  Evaluation result = moves_->reset(x);
+  if (result.ok() && !std::isfinite(result.cost)) result.status = Status::invalid_input;
+  meter_->walk_cost_ = result.cost;
+  return result;
+}
+
+Evaluation MeteredMoves::propose(std::size_t i, double value) {
+  Meter& meter = *meter_;
+  if (!meter.admit()) return {Status::budget_spent, 0.0};
+  ++meter.counts_.proposed;
+  meter.last_.status = Status::invalid_input;  // the adapter prices by full evaluations
+  Evaluation result = moves_->propose(i, value);
+  if (meter.sampling_) [[unlikely]] meter.end_sample();
+  if (result.ok() && !std::isfinite(result.cost)) [[unlikely]] result.status = Status::invalid_input;
+  if (!result.ok()) [[unlikely]] {
+    ++meter.failed_;
+  } else {
+    meter.proposed_cost_ = result.cost;
+    if (result.cost < meter.best_cost_) meter.improve(moves_->current_point(), result.cost, i, value);
+  }
+  return result;
+}
+
+Status MeteredMoves::accept() {
+  const Status status = moves_->accept();
+  if (status == Status::ok) {
+    ++meter_->counts_.accepted;
+    meter_->walk_cost_ = meter_->proposed_cost_;
+  }
+  return status;
+}
+
+Evaluation MeteredMoves::resync() {
+  meter_->last_.status = Status::invalid_input;
+  const Evaluation fresh = moves_->resync();
+  meter_->note_drift(meter_->walk_cost_, fresh);
+  if (fresh.ok()) meter_->walk_cost_ = fresh.cost;
+  return fresh;
+}
+
+}  // namespace nodal

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <nodal/options.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace nodal {
+
+namespace {
+
+std::string with_article(OptionType type) {
+  switch (type) {
+    case OptionType::boolean: return "a boolean (true or false)";
+    case OptionType::integer: return "an integer";
+    case OptionType::number: return "a number";
+    case OptionType::text: return "a text";
+    case OptionType::number_list: return "a list of numbers";
+    case OptionType::integer_list: return "a list of integers";
+    case OptionType::table: return "a table";
+  }
+  return "a value";
+}
+
+// Checks one value against one option; messages name the option and whom it belongs to.
+class Check {
+ public:
+  Check(const Option& option, const Value& value, const std::string& owner)
+      : option_(option), value_(value), name_(fmt::format("'{}' of {}", option.name, owner)) {}
+
+  Value resolved() const {
+    if (value_.is_table() && (option_.type == OptionType::table || option_.or_table))
+      return resolve_options(option_.fields, value_, name_).values();
+    Value result = value_;
+    switch (option_.type) {
+      case OptionType::boolean:
+        if (!value_.is_boolean()) wrong_type(option_.type);
+        break;
+      case OptionType::integer: result = integer(); break;
+      case OptionType::number: result = number(); break;
+      case OptionType::text: check_text(); break;
+      case OptionType::number_list:
+      case OptionType::integer_list: result = list(); break;
+      case OptionType::table: wrong_type(option_.type);
+    }
+    result.source = value_.source;
+    return result;
+  }
+
+ private:
+  // An entry of a list: held to the range of its option.
+  Check(std::string name, const Option& option, const Value& value) : option_(option), value_(value), name_(std::move(name)) {}
+
+  [[noreturn]] void refuse(const std::string& what) const { throw InputError(value_.source, name_ + " " + what); }
+  [[noreturn]] void wrong_type(OptionType wanted) const {
+    refuse(fmt::format("must be {}{}, not {}", with_article(wanted), option_.or_table ? " or a table" : "", value_.type_name()));
+  }
+
+  void check_range(double number) const {
+    if (!std::isfinite(number)) refuse(fmt::format("must be finite, not {}", number));
+    const bool low = option_.minimum_excluded ? number <= option_.minimum : number < option_.minimum;
+    const bool high = option_.maximum_excluded ? number >= option_.maximum : number > option_.maximum;
+    if (low || high) refuse(fmt::format("is {}; allowed: {}", number, range_text(option_)));
+  }
+
+  Value integer() const {
+    if (!value_.is_integer()) wrong_type(OptionType::integer);
+    check_range(value_.number());
+    return value_;
+  }
+
+  // Kept as a double, so that 1 and 1.0 make the same trial.
+  Value number() const {
+    if (!value_.is_number()) wrong_type(OptionType::number);
+    check_range(value_.number());
+    Value result(value_.number());
+    result.source = value_.source;
+    return result;
+  }
+
+  Value list() const {
+    if (!value_.is_list()) wrong_type(option_.type);
+    const Value::List& given = value_.list();
+    if (option_.length > 0 && given.size() != option_.length)
+      refuse(fmt::format("has {} entries; it must have {}", given.size(), option_.length));
+    Value::List items;
+    for (std::size_t i = 0; i < given.size(); ++i) {
+      const Check entry(fmt::format("entry {} of {}", i + 1, name_), option_, given[i]);
+      items.push_back(option_.type == OptionType::integer_list ? entry.integer() : entry.number());
+    }
+    return Value(std::move(items));
+  }
+
+  void check_text() const {
+    if (!value_.is_text()) wrong_type(option_.type);
+    if (option_.choices.empty() || std::ranges::find(option_.choices, value_.text()) != option_.choices.end()) return;
+    refuse(fmt::format("is '{}'{}", value_.text(), name_hint(value_.text(), option_.choices)));
+  }
+
+  const Option& option_;
+  const Value& value_;
+  std::string name_;
+};
+
+void refuse_unknown_keys(const OptionSchema& schema, const Value& given, const std::string& owner) {
+  std::vector<std::string> known;
+  for (const Option& option : schema) known.push_back(option.name);
+  for (const auto& [key, value] : given.table())
+    if (std::ranges::find(known, key) == known.end())
+      throw InputError(value.source, fmt::format("unknown key '{}' in {}{}", key, owner,
+                                                 known.empty() ? "; it has no options" : name_hint(key, known)));
+}
+
+}  // namespace
+
+std::string_view to_string(OptionType type) noexcept {
+  switch (type) {
+    case OptionType::boolean: return "boolean";
+    case OptionType::integer: return "integer";
+    case OptionType::number: return "number";
+    case OptionType::text: return "text";
+    case OptionType::number_list: return "list of numbers";
+    case OptionType::integer_list: return "list of integers";
+    case OptionType::table: return "table";
+  }
+  return "value";
+}
+
+std::string range_text(const Option& option) {
+  const bool below = std::isfinite(option.minimum), above = std::isfinite(option.maximum);
+  const char* least = option.minimum_excluded ? "<" : "≤";
+  const char* most = option.maximum_excluded ? "<" : "≤";
+  if (below && above) return fmt::format("{} {} {} {} {}", option.minimum, least, option.name, most, option.maximum);
+  if (below) return fmt::format("{} {} {}", option.name, option.minimum_excluded ? ">" : "≥", option.minimum);
+  if (above) return fmt::format("{} {} {}", option.name, most, option.maximum);
+  return {};
+}
+
+Options resolve_options(const OptionSchema& schema, const Value& given, const std::string& owner) {
+  if (!given.is_table()) throw InputError(given.source, fmt::format("{} must be a table, not {}", owner, given.type_name()));
+  refuse_unknown_keys(schema, given, owner);
+  Value resolved;
+  resolved.source = given.source;
+  for (const Option& option : schema) {
+    const Value* value = given.find(option.name);
+    if (!value && option.required)
+      throw InputError(given.source, fmt::format("{} lacks '{}'{}", owner, option.name,
+                                                 option.help.empty() ? "" : ": " + option.help));
+    if (!value && !option.default_value) continue;
+    Value default_value;
+    if (!value) {
+      // A default has no place of its own in the file: what goes wrong with it is blamed on its table.
+      default_value = *option.default_value;
+      default_value.source = given.source;
+      value = &default_value;
+    }
+    resolved.set(option.name, Check(option, *value, owner).resolved());
+  }
+  return Options(std::move(resolved));
+}
+
+}  // namespace nodal

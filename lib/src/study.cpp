@@ -1,0 +1,272 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <nodal/study.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <sstream>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "toml.h"
+
+namespace nodal {
+
+namespace {
+
+template <class Items>
+std::vector<std::string> names_of(const Items& items, std::string Items::value_type::*member) {
+  std::vector<std::string> names;
+  for (const auto& item : items) names.push_back(item.*member);
+  return names;
+}
+
+// Reads one study; members are filled in the order of `read`.
+class StudyReader {
+ public:
+  StudyReader(std::string_view text, const std::filesystem::path& path, const Registry& registry,
+              const StudyOverrides& overrides)
+      : file_(path.string()), registry_(registry), overrides_(overrides), root_(parse_toml(text, file_)) {
+    study_.text = std::string(text);
+    study_.path = path;
+  }
+
+  Study read() {
+    refuse_unknown_tables();
+    read_study_table();
+    read_budget();
+    for (const Value* entry : entries("problem", true)) read_problem(*entry);
+    for (const Value* entry : entries("optimizer", false)) read_optimizer(*entry);
+    keep_only();
+    check_needs();
+    check_target();
+    return std::move(study_);
+  }
+
+ private:
+  void refuse_unknown_tables() const {
+    const std::vector<std::string> known = {"study", "budget", "problem", "optimizer"};
+    for (const auto& [key, value] : root_.table())
+      if (std::ranges::find(known, key) == known.end())
+        throw InputError(value.source, fmt::format("unknown table or key '{}' in the study{}", key, name_hint(key, known)));
+  }
+
+  Options section(const char* name, const OptionSchema& schema) const {
+    static const Value kEmpty;
+    const Value* given = root_.find(name);
+    Value empty = kEmpty;
+    empty.source = {file_, 0};
+    return resolve_options(schema, given ? *given : empty, fmt::format("[{}]", name));
+  }
+
+  // [name] or [[name]].
+  std::vector<const Value*> entries(const char* name, bool required) const {
+    const Value* found = root_.find(name);
+    const bool nothing = !found || (found->is_list() && found->list().empty());
+    if (nothing && required) throw InputError({file_, 0}, fmt::format("missing table [{}]; a study needs one", name));
+    std::vector<const Value*> list;
+    if (!found) return list;
+    if (found->is_table()) return {found};
+    if (!found->is_list()) throw InputError(found->source, fmt::format("'{}' must be a table, not {}", name, found->type_name()));
+    for (const Value& item : found->list()) {
+      if (!item.is_table()) throw InputError(item.source, fmt::format("'{}' must be a table, not {}", name, item.type_name()));
+      list.push_back(&item);
+    }
+    return list;
+  }
+
+  void read_study_table() {
+    const Options options = section("study", study_schema());
+    study_.name = options.has("name") ? options.text("name") : study_.path.stem().string();
+    const auto awkward = [](char c) { return c == '/' || c == '\\' || (c >= 0 && c < 0x20); };
+    const bool plain = !study_.name.empty() && study_.name[0] != '.' && std::ranges::none_of(study_.name, awkward);
+    if (!plain)
+      throw InputError(options.has("name") ? options.at("name").source : Source{file_, 0},
+                       fmt::format("'{}' can't be the name of a study: it names a folder", study_.name));
+    study_.seed = overrides_.seed.value_or(static_cast<std::uint64_t>(options.integer("seed")));
+    study_.repeats = overrides_.repeats.value_or(static_cast<int>(options.integer("repeats")));
+    study_.starts = options.text("starts") == "initial" ? Starts::initial : Starts::sampled;
+    if (study_.repeats < 1)
+      throw InputError(Source{"--repeats", 0}, fmt::format("is {}; it must be at least 1", study_.repeats));
+  }
+
+  void read_budget() {
+    const Options options = section("budget", budget_schema());
+    if (options.has("seconds")) study_.budget.seconds = options.number("seconds");
+    if (options.has("evaluations")) study_.budget.evaluations = options.integer("evaluations");
+    if (options.has("target_gap")) {
+      study_.budget.target_gap = options.number("target_gap");
+      target_source_ = options.at("target_gap").source;
+    }
+    if (overrides_.seconds) study_.budget.seconds = overrides_.seconds;
+    if (overrides_.evaluations) study_.budget.evaluations = overrides_.evaluations;
+    if (overrides_.seconds && !(*overrides_.seconds > 0.0))
+      throw InputError(Source{"--seconds", 0}, fmt::format("is {}; it must be > 0", *overrides_.seconds));
+    if (overrides_.seconds && !std::isfinite(*overrides_.seconds))
+      throw InputError(Source{"--seconds", 0}, fmt::format("is {}; it must be finite", *overrides_.seconds));
+    if (overrides_.evaluations && *overrides_.evaluations < 1)
+      throw InputError(Source{"--evaluations", 0}, fmt::format("is {}; it must be at least 1", *overrides_.evaluations));
+  }
+
+  // The entry without the keys that belong to somebody else.
+  static Value only_keys(const Value& entry, const OptionSchema& schema, bool inside) {
+    Value part;
+    part.source = entry.source;
+    for (const auto& [key, value] : entry.table()) {
+      const bool known = std::ranges::find(schema, key, &Option::name) != schema.end();
+      if (known == inside) part.table().emplace_back(key, value);
+    }
+    return part;
+  }
+
+  void read_problem(const Value& entry) {
+    const OptionSchema own = problem_entry_schema();
+    const Options options = resolve_options(own, only_keys(entry, own, true), "[problem]");
+    StudyProblem problem;
+    problem.kind = options.text("kind");
+    problem.label = options.has("label") ? options.text("label") : problem.kind;
+    const ProblemDescription* description = registry_.find_problem(problem.kind);
+    if (!description)
+      throw InputError(options.at("kind").source,
+                       fmt::format("unknown problem '{}'{}", problem.kind,
+                                   name_hint(problem.kind, names_of(registry_.problems(), &ProblemDescription::kind))));
+    claim_label(problem.label, entry, problem_labels_, "problems", "[problem]");
+    problem.options = resolve_options(description->options, only_keys(entry, own, false),
+                                      fmt::format("problem '{}'", problem.label));
+    problem.problem = description->make(problem.options, {study_.path.parent_path(), entry.source});
+    if (options.has("best_known")) {
+      const Options known = options.table("best_known");
+      problem.best_known = KnownOptimum{known.number("quality"), known.text("origin"), {}};
+    } else {
+      problem.best_known = problem.problem->known_optimum();
+    }
+    study_.problems.push_back(std::move(problem));
+  }
+
+  void read_optimizer(const Value& entry) {
+    const Options options = resolve_options(optimizer_entry_schema(), without_options(entry), "[[optimizer]]");
+    StudyOptimizer optimizer;
+    optimizer.use = options.text("use");
+    optimizer.label = options.has("label") ? options.text("label") : optimizer.use;
+    claim_label(optimizer.label, entry, optimizer_labels_, "optimizers", "[[optimizer]]");
+    const OptimizerDescription* description = registry_.find_optimizer(optimizer.use);
+    if (!description) {
+      leave_out(optimizer, options.at("use").source);
+      return;
+    }
+    Value own;
+    own.source = entry.source;
+    if (const Value* given = entry.find("options")) own = *given;
+    optimizer.options = resolve_options(description->options, own, fmt::format("optimizer '{}'", optimizer.label));
+    optimizer.baseline = options.boolean("baseline");
+    optimizer.multi_start = options.boolean("multi_start");
+    optimizer.deterministic = description->deterministic && !optimizer.multi_start;
+    if (optimizer.multi_start && !description->local)
+      throw InputError(options.at("multi_start").source,
+                       fmt::format("'multi_start' of optimizer '{}' is for local methods; '{}' searches globally by itself",
+                                   optimizer.label, optimizer.use));
+    if (optimizer.baseline && std::ranges::any_of(study_.optimizers, &StudyOptimizer::baseline))
+      throw InputError(options.at("baseline").source, fmt::format("optimizer '{}' is a second baseline; only one can be", optimizer.label));
+    study_.optimizers.push_back(std::move(optimizer));
+  }
+
+  // `options` belongs to the method, whose schema is not known yet.
+  static Value without_options(const Value& entry) {
+    Value part;
+    part.source = entry.source;
+    for (const auto& [key, value] : entry.table())
+      if (key != "options") part.table().emplace_back(key, value);
+    return part;
+  }
+
+  void leave_out(const StudyOptimizer& optimizer, const Source& source) {
+    if (const AbsentDescription* absent = registry_.find_absent(optimizer.use)) {
+      study_.left_out.push_back({optimizer.label, optimizer.use, absent->reason});
+      return;
+    }
+    throw InputError(source, fmt::format("unknown optimizer '{}'{}", optimizer.use,
+                                         name_hint(optimizer.use, names_of(registry_.optimizers(), &OptimizerDescription::name))));
+  }
+
+  using Labels = std::vector<std::pair<std::string, Source>>;
+  static void claim_label(const std::string& label, const Value& entry, Labels& taken, const char* what, const char* table) {
+    if (const Value* given = entry.find("label"); given && label.empty())
+      throw InputError(given->source, fmt::format("'label' of {} is empty; it names rows and results", table));
+    const auto found = std::ranges::find(taken, label, &Labels::value_type::first);
+    if (found != taken.end())
+      throw InputError(entry.source, fmt::format("two {} have the label '{}' (the other is on line {}); give one a 'label' of its own",
+                                                 what, label, found->second.line));
+    taken.emplace_back(label, entry.source);
+  }
+
+  void keep_only() {
+    const std::vector<std::string> labels = names_of(study_.optimizers, &StudyOptimizer::label);
+    for (const std::string& wanted : overrides_.only) {
+      const auto left_out = std::ranges::find(study_.left_out, wanted, &LeftOut::label);
+      if (left_out != study_.left_out.end())
+        throw InputError(Source{"--only", 0}, fmt::format("optimizer '{}' is not in this build: {}", wanted, left_out->reason));
+      if (std::ranges::find(labels, wanted) == labels.end())
+        throw InputError(Source{"--only", 0}, fmt::format("no optimizer of the study is labelled '{}'{}", wanted, name_hint(wanted, labels)));
+    }
+    if (!overrides_.only.empty()) {
+      for (StudyOptimizer& optimizer : study_.optimizers)
+        optimizer.skipped = std::ranges::find(overrides_.only, optimizer.label) == overrides_.only.end();
+      study_.left_out.clear();
+    }
+    if (study_.optimizers.empty() && !study_.left_out.empty())
+      throw InputError({file_, 0}, fmt::format("none of the study's optimizers is in this build: {}", study_.left_out[0].reason));
+  }
+
+  void check_needs() const {
+    for (const StudyOptimizer& optimizer : study_.optimizers) {
+      if (optimizer.skipped) continue;
+      const Abilities needs = registry_.find_optimizer(optimizer.use)->needs;
+      const auto labelled = std::ranges::find(optimizer_labels_, optimizer.label, &Labels::value_type::first);
+      for (const StudyProblem& problem : study_.problems) {
+        const std::vector<std::string> missing = problem.problem->abilities().missing(needs);
+        if (!missing.empty())
+          throw InputError(labelled->second, fmt::format("optimizer '{}' needs {}, which problem '{}' can't give",
+                                                         optimizer.label, fmt::join(missing, " and "), problem.label));
+      }
+    }
+  }
+
+  void check_target() const {
+    if (!study_.budget.target_gap) return;
+    for (const StudyProblem& problem : study_.problems)
+      if (!problem.best_known)
+        throw InputError(target_source_, fmt::format("'target_gap' needs to know the best quality of problem '{}'; give it "
+                                                     "best_known = {{ quality = …, origin = \"…\" }}", problem.label));
+  }
+
+  std::string file_;
+  const Registry& registry_;
+  const StudyOverrides& overrides_;
+  Value root_;
+  Study study_;
+  Source target_source_;
+  Labels problem_labels_, optimizer_labels_;
+};
+
+}  // namespace
+
+Study parse_study(std::string_view text, const std::filesystem::path& path, const Registry& registry,
+                  const StudyOverrides& overrides) {
+  return StudyReader(text, path, registry, overrides).read();
+}
+
+Study read_study(const std::filesystem::path& path, const Registry& registry, const StudyOverrides& overrides) {
+  errno = 0;
+  std::ifstream in(path, std::ios::binary);
+  std::ostringstream text;
+  if (in) text << in.rdbuf();
+  if (in) in.peek();  // an error while reading looks like an empty file until the stream itself is asked
+  if (!in || std::filesystem::is_directory(path))
+    throw InputError(fmt::format("cannot read study '{}': {}", path.string(), errno ? std::strerror(errno) : "not a regular file"));
+  return parse_study(text.str(), path, registry, overrides);
+}
+
+}  // namespace nodal

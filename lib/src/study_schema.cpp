@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <nodal/study.h>
+
+namespace nodal {
+
+OptionSchema study_schema() {
+  return {
+      {.name = "name", .type = OptionType::text, .default_text = "the file's name",
+       .help = "names the study's folder of results"},
+      {.name = "seed", .type = OptionType::integer, .default_value = 1, .minimum = 0,
+       .help = "of every random stream, together with labels and repeat"},
+      {.name = "repeats", .type = OptionType::integer, .default_value = 15, .minimum = 1, .maximum = 100000,
+       .help = "trials per problem and optimizer; deterministic methods from one start run at most 3, for their time"},
+      {.name = "starts", .type = OptionType::text, .default_value = "initial", .choices = {"initial", "sampled"},
+       .help = "initial: everyone starts at the problem's start; sampled: repeat r > 0 at a random point, the same for all"},
+  };
+}
+
+OptionSchema budget_schema() {
+  return {
+      {.name = "seconds", .type = OptionType::number, .unit = "s", .minimum = 0.0, .minimum_excluded = true,
+       .help = "wall time of a trial"},
+      {.name = "evaluations", .type = OptionType::integer, .minimum = 1, .help = "costs seen in a trial"},
+      {.name = "target_gap", .type = OptionType::number, .minimum = 0.0, .maximum = 1.0, .minimum_excluded = true,
+       .maximum_excluded = true, .help = "stop at (G − G*)/(G_start − G*) ≤ this; needs a best known quality"},
+  };
+}
+
+OptionSchema problem_entry_schema() {
+  return {
+      {.name = "kind", .type = OptionType::text, .required = true, .help = "which problem: see nodal list problems"},
+      {.name = "label", .type = OptionType::text, .default_text = "kind", .help = "names it in tables; unique"},
+      {.name = "best_known", .type = OptionType::table, .default_text = "the problem's own, if it knows one",
+       .help = "G*: the quality that gaps are measured against",
+       .fields = {{.name = "quality", .type = OptionType::number, .required = true, .minimum = 0.0,
+                   .help = "the lowest quality known"},
+                  {.name = "origin", .type = OptionType::text, .required = true, .help = "who says so"}}},
+  };
+}
+
+OptionSchema optimizer_entry_schema() {
+  return {
+      {.name = "use", .type = OptionType::text, .required = true, .help = "which method: see nodal list optimizers"},
+      {.name = "label", .type = OptionType::text, .default_text = "use", .help = "names it in tables; unique"},
+      {.name = "baseline", .type = OptionType::boolean, .default_value = false,
+       .help = "the one that the others are stated as multiples of; one at most"},
+      {.name = "multi_start", .type = OptionType::boolean, .default_value = false,
+       .help = "run a local method again and again from random points, charged to the same budget"},
+      {.name = "options", .type = OptionType::table, .default_text = "all defaults", .help = "the method's own options"},
+  };
+}
+
+}  // namespace nodal

@@ -1,0 +1,267 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <nodal/trial.h>
+
+#include <time.h>
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <stdexcept>
+
+#include "multi_start.h"
+
+namespace nodal {
+
+namespace {
+
+// A deterministic method from one start ends in the same place every time: these repeats are for its run time.
+constexpr int kDeterministicRepeats = 3;
+
+std::uint64_t stream_key(const Study& study, const std::string& problem, const std::string& purpose, int repeat) {
+  constexpr std::uint64_t k53Bits = (std::uint64_t{1} << 53) - 1;
+  const Value::List parts = {Value(study.seed), Value(problem), Value(purpose), Value(repeat)};
+  return hash64(to_canonical_json(Value(parts))) & k53Bits;
+}
+
+std::uint64_t trial_seed(const Study& study, const Trial& trial) {
+  return stream_key(study, study.problems.at(trial.problem).label, "optimizer " + study.optimizers.at(trial.optimizer).label,
+                    trial.repeat);
+}
+
+double thread_cpu_seconds() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+PointSummary summarize(const Problem& problem, const Evaluation& evaluation) {
+  if (!evaluation.ok()) return {};
+  return {evaluation.cost, problem.quality(evaluation.cost), problem.relative_error(evaluation.cost)};
+}
+
+TrialRecord blank_record(const Study& study, const Trial& trial) {
+  const StudyOptimizer& optimizer = study.optimizers.at(trial.optimizer);
+  TrialRecord record;
+  record.key = trial_key(study, trial);
+  record.problem = study.problems.at(trial.problem).label;
+  record.optimizer = optimizer.label;
+  record.use = optimizer.use;
+  record.repeat = trial.repeat;
+  record.seed = trial_seed(study, trial);
+  record.options = optimizer.options.values();
+  return record;
+}
+
+std::unique_ptr<Optimizer> make_optimizer(const StudyOptimizer& entry, const Registry& registry) {
+  const OptimizerDescription* description = registry.find_optimizer(entry.use);
+  if (!description) throw std::logic_error("optimizer '" + entry.use + "' is not registered");
+  if (!entry.multi_start) return description->make(entry.options);
+  return std::make_unique<MultiStart>([description, &entry] { return description->make(entry.options); });
+}
+
+// One trial while it runs: the objects that are made afresh for it, and what becomes of them.
+class Run {
+ public:
+  Run(const Study& study, const Trial& trial, const Registry& registry, TrialRecord& record)
+      : study_(study), trial_(trial), registry_(registry), record_(record),
+        problem_(*study.problems.at(trial.problem).problem) {}
+
+  void execute() {
+    const double cpu_began = thread_cpu_seconds();
+    const Meter::Clock::time_point began = Meter::Clock::now();
+    const auto since = [began] { return std::chrono::duration<double>(Meter::Clock::now() - began).count(); };
+
+    const std::unique_ptr<Evaluator> evaluator = problem_.make_evaluator();
+    const std::vector<double> start = trial_start(study_, trial_);
+    Meter meter(problem_, *evaluator, start, limits(), began);
+    record_.flops_per_value = evaluator->work().flops;
+    record_.start = summarize(problem_, meter.start());
+    if (record_.start.quality) meter.set_target(target_quality(study_, trial_, *record_.start.quality));
+
+    const double search_began = since();
+    const Outcome outcome = search(meter, start);
+    const double search_ended = since();
+
+    record_.work = evaluator->work();
+    note_end(meter, outcome);
+    note_best(meter, *evaluator);
+    note_claim(meter, outcome);
+    const double search_seconds = search_ended - search_began;
+    record_.seconds.total = since();
+    record_.seconds.evaluation = std::min(meter.evaluation_seconds(), search_seconds);
+    record_.seconds.optimizer = search_seconds - record_.seconds.evaluation;
+    record_.seconds.harness = record_.seconds.total - search_seconds;
+    record_.seconds.cpu = thread_cpu_seconds() - cpu_began;
+  }
+
+ private:
+  Limits limits() const {
+    Limits limits;
+    if (study_.budget.seconds) limits.seconds = *study_.budget.seconds;
+    if (study_.budget.evaluations) limits.evaluations = *study_.budget.evaluations;
+    return limits;
+  }
+
+  // An exception must not lose what the meter has seen: it ends the search, not the record.
+  Outcome search(Meter& meter, const std::vector<double>& start) {
+    RandomStream random(record_.seed);
+    try {
+      const std::unique_ptr<Optimizer> optimizer = make_optimizer(study_.optimizers.at(trial_.optimizer), registry_);
+      return optimizer->minimize(meter, start, random);
+    } catch (const std::exception& error) {
+      return failure(error.what());
+    } catch (...) {
+      return failure("an exception that is no std::exception");
+    }
+  }
+
+  static Outcome failure(const std::string& reason) {
+    Outcome outcome;
+    outcome.failed = true;
+    outcome.reason = reason;
+    return outcome;
+  }
+
+  void note_end(const Meter& meter, const Outcome& outcome) {
+    switch (meter.stop()) {
+      case Stop::none: record_.end = End::finished; break;
+      case Stop::target: record_.end = End::target; break;
+      case Stop::evaluations:
+      case Stop::seconds: record_.end = End::budget; break;
+    }
+    record_.reason = meter.stop() == Stop::none          ? outcome.reason
+                     : meter.stop() == Stop::target      ? "target reached"
+                     : meter.stop() == Stop::evaluations ? "evaluations spent"
+                                                         : "seconds spent";
+    if (outcome.failed) {
+      record_.end = End::failed;
+      record_.reason = outcome.reason;
+    }
+    for (const auto& [key, value] : outcome.effective_options.table()) record_.options.set(key, value);
+    record_.counts = meter.counts();
+    record_.trace = meter.trace();
+    thin_trace(record_.trace, 2000);
+  }
+
+  // The best is reported from a fresh, refined evaluation, not from what the race saw.
+  void note_best(const Meter& meter, Evaluator& evaluator) {
+    record_.health.refused = meter.failed_evaluations();
+    if (!meter.has_best()) {
+      if (record_.end == End::finished) record_.end = End::failed;
+      if (record_.reason.empty()) record_.reason = "no point had a finite cost";
+      return;
+    }
+    const std::span<const double> x = meter.best_point();
+    Evaluation audited = evaluator.audit(x);
+    record_.health = evaluator.health();
+    record_.health.refused = meter.failed_evaluations();
+    record_.health.drift = meter.drift();
+    if (audited.ok() && meter.start().ok() && meter.start().cost > 0.0) {
+      const double difference = std::abs(audited.cost - meter.best_cost()) / meter.start().cost;
+      record_.health.drift = std::max(record_.health.drift.value_or(0.0), difference);
+    }
+    if (!audited.ok()) {
+      record_.reason += std::string(record_.reason.empty() ? "" : "; ") + "a fresh evaluation of the best point is " +
+                        std::string(to_string(audited.status));
+      audited = {Status::ok, meter.best_cost()};
+    }
+    record_.best = BestPoint{meter.best_evaluation(), summarize(problem_, audited), {x.begin(), x.end()}};
+    record_.seconds.to_best = meter.trace().back().seconds;
+  }
+
+  void note_claim(const Meter& meter, const Outcome& outcome) {
+    if (!outcome.claim) return;
+    const Claim& claim = *outcome.claim;
+    ClaimRecord stored;
+    if (claim.cost && std::isfinite(*claim.cost)) stored.cost = claim.cost;
+    if (!claim.x.empty() && meter.has_best()) stored.x_equals_best = std::ranges::equal(claim.x, meter.best_point());
+    stored.evaluations = claim.evaluations;
+    stored.status = claim.status;
+    record_.claimed = stored;
+  }
+
+  const Study& study_;
+  const Trial& trial_;
+  const Registry& registry_;
+  TrialRecord& record_;
+  const Problem& problem_;
+};
+
+}  // namespace
+
+std::vector<Trial> all_trials(const Study& study) {
+  std::vector<Trial> trials;
+  for (std::size_t problem = 0; problem < study.problems.size(); ++problem) {
+    for (int repeat = 0; repeat < study.repeats; ++repeat) {
+      for (std::size_t optimizer = 0; optimizer < study.optimizers.size(); ++optimizer) {
+        if (study.optimizers[optimizer].skipped) continue;
+        const bool same_every_time = study.optimizers[optimizer].deterministic && study.starts == Starts::initial;
+        if (!same_every_time || repeat < kDeterministicRepeats) trials.push_back({problem, optimizer, repeat});
+      }
+    }
+  }
+  return trials;
+}
+
+std::vector<double> trial_start(const Study& study, const Trial& trial) {
+  const StudyProblem& entry = study.problems.at(trial.problem);
+  const Space& space = entry.problem->space();
+  std::vector<double> start(space.start().begin(), space.start().end());
+  if (study.starts == Starts::sampled && trial.repeat > 0) {
+    RandomStream random(stream_key(study, entry.label, "start", trial.repeat));
+    for (std::size_t i = 0; i < start.size(); ++i) start[i] = random.uniform(space.lower()[i], space.upper()[i]);
+  }
+  return start;
+}
+
+std::string trial_key(const Study& study, const Trial& trial) {
+  const StudyProblem& problem = study.problems.at(trial.problem);
+  const StudyOptimizer& optimizer = study.optimizers.at(trial.optimizer);
+  Value::List start;
+  for (const double x : trial_start(study, trial)) start.emplace_back(x);
+  Value budget;
+  if (study.budget.seconds) budget.set("seconds", *study.budget.seconds);
+  if (study.budget.evaluations) budget.set("evaluations", *study.budget.evaluations);
+  if (study.budget.target_gap && problem.best_known) {
+    budget.set("target_gap", *study.budget.target_gap);
+    budget.set("best_known", problem.best_known->quality);
+  }
+  Value content;
+  content.set("schema", kRecordSchema);
+  content.set("kind", problem.kind);
+  content.set("problem", problem.options.values());
+  content.set("use", optimizer.use);
+  content.set("multi_start", optimizer.multi_start);
+  content.set("options", optimizer.options.values());
+  content.set("budget", budget);
+  content.set("seed", Value(trial_seed(study, trial)));
+  content.set("start", Value(start));
+  content.set("repeat", trial.repeat);
+  return hash128(to_canonical_json(content));
+}
+
+double target_quality(const Study& study, const Trial& trial, double start_quality) {
+  const auto& best_known = study.problems.at(trial.problem).best_known;
+  if (!study.budget.target_gap || !best_known) return -std::numeric_limits<double>::infinity();
+  return best_known->quality + *study.budget.target_gap * (start_quality - best_known->quality);
+}
+
+TrialRecord run_trial(const Study& study, const Trial& trial, const Registry& registry) {
+  TrialRecord record = blank_record(study, trial);
+  try {
+    Run(study, trial, registry, record).execute();
+  } catch (const std::exception& error) {  // of the problem itself, before or after the search
+    record.end = End::failed;
+    record.reason = error.what();
+  }
+  return record;
+}
+
+TrialRecord lost_trial(const Study& study, const Trial& trial, End end, std::string reason) {
+  TrialRecord record = blank_record(study, trial);
+  record.end = end;
+  record.reason = std::move(reason);
+  return record;
+}
+
+}  // namespace nodal

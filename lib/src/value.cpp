@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <nodal/value.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace nodal {
+
+namespace {
+
+template <class T, class Data>
+auto& held(Data& data, std::string_view wanted, std::string_view actual) {
+  if (auto* value = std::get_if<T>(&data)) return *value;
+  throw std::logic_error("a value was read as " + std::string(wanted) + ", but is " + std::string(actual));
+}
+
+}  // namespace
+
+std::string_view Value::type_name() const noexcept {
+  constexpr std::string_view kNames[] = {"a boolean", "an integer", "a number", "a text", "a list", "a table"};
+  return kNames[data_.index()];
+}
+
+bool Value::boolean() const { return held<bool>(data_, "a boolean", type_name()); }
+std::int64_t Value::integer() const { return held<std::int64_t>(data_, "an integer", type_name()); }
+double Value::number() const {
+  if (is_integer()) return static_cast<double>(integer());
+  return held<double>(data_, "a number", type_name());
+}
+const std::string& Value::text() const { return held<std::string>(data_, "a text", type_name()); }
+const Value::List& Value::list() const { return held<List>(data_, "a list", type_name()); }
+const Value::Table& Value::table() const { return held<Table>(data_, "a table", type_name()); }
+Value::List& Value::list() { return held<List>(data_, "a list", type_name()); }
+Value::Table& Value::table() { return held<Table>(data_, "a table", type_name()); }
+
+std::vector<double> Value::numbers() const {
+  std::vector<double> numbers;
+  for (const Value& item : list()) numbers.push_back(item.number());
+  return numbers;
+}
+
+const Value* Value::find(std::string_view key) const {
+  const Table& entries = table();
+  const auto found = std::ranges::find(entries, key, &Table::value_type::first);
+  return found == entries.end() ? nullptr : &found->second;
+}
+
+const Value& Value::at(std::string_view key) const {
+  if (const Value* value = find(key)) return *value;
+  throw std::logic_error("a table has no entry '" + std::string(key) + "'");
+}
+
+void Value::set(std::string_view key, Value value) {
+  Table& entries = table();
+  const auto found = std::ranges::find(entries, key, &Table::value_type::first);
+  if (found == entries.end()) {
+    entries.emplace_back(std::string(key), std::move(value));
+  } else {
+    found->second = std::move(value);
+  }
+}
+
+bool operator==(const Value& a, const Value& b) {
+  if (a.is_number() && b.is_number()) {
+    return a.is_integer() && b.is_integer() ? a.integer() == b.integer() : a.number() == b.number();
+  }
+  if (a.is_table() && b.is_table()) {
+    const auto same = [&b](const Value::Table::value_type& entry) {
+      const Value* other = b.find(entry.first);
+      return other && entry.second == *other;
+    };
+    return a.table().size() == b.table().size() && std::ranges::all_of(a.table(), same);
+  }
+  return a.data_ == b.data_;
+}
+
+}  // namespace nodal

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+/// The paper's problem: find spring stiffnesses with which a net of springs deforms like an elastic plate.
+///
+/// G² = Σ_loads Σ_nodes w_node |u − u_ref|² (eq. 12); relative error = G/‖u_ref‖_W; cost = ½ (relative error)².
+/// Residuals are √w (u − u_ref)/‖u_ref‖_W on the free freedoms, load by load, freedoms ascending.
+/// Coordinates are ln k (parameters.h) within bounds.
+/// Threads  immutable; `solve` makes its own workspace.
+
+#include <array>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <nodal/elastic/loads.h>
+#include <nodal/elastic/parameters.h>
+#include <nodal/problem.h>
+#include <nodal/registry.h>
+
+namespace nodal::elastic {
+
+/// Weights of squared differences, G_{inner:border:corner}.
+struct Weights {
+  double inner = 1.0, border = 3.0, corner = 15.0;
+};
+
+/// Everything that defines the problem, already consistent.
+struct Scene {
+  Net net;
+  Material material;
+  LoadSet loads;
+  Weights weights;
+  std::string parameter_rule = "each";
+  std::vector<double> initial_stiffness;        ///< [springs], before tying and before moving inside the bounds
+  std::array<double, 2> stiffness_bounds = {};  ///< N/m
+  std::string initial_rule;                     ///< for `explain`
+  std::string solver = "auto";                  ///< auto | simplicial | supernodal | dense
+  double stress = 1.0;
+};
+
+/// The equilibrium of one load at given stiffnesses.
+struct LoadState {
+  std::string name;
+  double quality = 0.0;
+  std::vector<double> displacement;             ///< [2 · nodes]
+  std::vector<double> reference;                ///< [2 · nodes]
+  std::vector<Support> supports;
+  std::vector<double> bearing;                  ///< force on each support (eq. 11)
+};
+
+struct State {
+  Status status = Status::invalid_input;
+  std::string message;                          ///< for another status than ok: what is wrong, with the node or spring
+  double quality = 0.0, relative_error = 0.0;
+  std::vector<LoadState> loads;
+  Health health;
+};
+
+class ElasticProblem final : public Problem {
+ public:
+  /// InputError when the reference is zero everywhere. std::invalid_argument for shapes that don't fit.
+  explicit ElasticProblem(Scene scene);
+  ~ElasticProblem() override;
+
+  [[nodiscard]] const Space& space() const override;
+  [[nodiscard]] Abilities abilities() const override;
+  [[nodiscard]] std::size_t residual_count() const override;
+  [[nodiscard]] std::unique_ptr<Evaluator> make_evaluator() const override;
+  [[nodiscard]] double quality(double cost) const override;
+  [[nodiscard]] std::optional<double> relative_error(double cost) const override;
+  [[nodiscard]] std::vector<Stage> stages() const override;
+  [[nodiscard]] std::vector<std::string> remarks() const override;
+
+  [[nodiscard]] const Scene& scene() const noexcept;
+  [[nodiscard]] const Net& net() const noexcept { return scene().net; }
+  [[nodiscard]] const Parameters& parameters() const noexcept;
+  /// [springs] at a point of the space.
+  [[nodiscard]] std::vector<double> stiffness(std::span<const double> x) const;
+  /// The refined equilibrium at any stiffnesses, bounds or not: what `evaluate` and the pictures show.
+  [[nodiscard]] State solve(std::span<const double> stiffness) const;
+
+ private:
+  struct Data;
+  std::unique_ptr<Data> data_;
+};
+
+/// The options of `kind = "elastic"` (docs/config_reference.md); the defaults are the 25-node plate.
+[[nodiscard]] OptionSchema elastic_schema();
+/// Builds the scene that options describe. InputError with the source of the value at fault.
+[[nodiscard]] Scene make_scene(const Options& options, const ProblemContext& context);
+
+}  // namespace nodal::elastic

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+/// Initial spring stiffnesses, and stiffness files.
+///
+/// Units    N/m. Shapes: [springs].
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <nodal/elastic/material.h>
+#include <nodal/elastic/net.h>
+
+namespace nodal::elastic {
+
+/// `paper`: k = E·t·s0/4 (section 5.2).
+[[nodiscard]] std::vector<double> paper_stiffness(const Net& net, const Material& material);
+/// `area`: k = E·t·Σ(areas of the triangles at the spring)/L² (Van Gelder 1998); a crossed grid counts the two
+/// triangulations of each cell at half weight. Satisfies Σ k L² = 3 E A t.
+[[nodiscard]] std::vector<double> area_stiffness(const Net& net, const Material& material);
+/// `lattice`: axial ¾E't, diagonal ⅜E't, border axial ⅜E't; exact at ν' = 1/3.
+/// std::invalid_argument unless the grid is crossed with square cells.
+[[nodiscard]] std::vector<double> lattice_stiffness(const Net& net, const Material& material);
+
+/// Reads {"springs": [{"nodes": [i, j], "stiffness": k}, …]} in any order.
+/// InputError for a missing, doubled or unknown spring, or a stiffness that is not a positive number.
+[[nodiscard]] std::vector<double> read_stiffness_file(const std::filesystem::path& path, const Net& net);
+/// The same shape, springs in the net's order.
+[[nodiscard]] std::string stiffness_json(const Net& net, const std::vector<double>& stiffness);
+
+}  // namespace nodal::elastic

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "elastic_model.h"
+
+#include <stdexcept>
+
+namespace nodal::elastic {
+
+ElasticModel::ElasticModel(Scene scene_of_problem)
+    : scene(std::move(scene_of_problem)),
+      parameters(scene.net, scene.parameter_rule),
+      first_residual(scene.loads.loads.size(), 0) {
+  const std::size_t springs = scene.net.springs.size();
+  if (!scene.initial_stiffness.empty() && scene.initial_stiffness.size() != springs)
+    throw std::invalid_argument("Scene: initial_stiffness must have one entry per spring");
+  for (std::size_t g = 0; g < scene.loads.groups.size(); ++g)
+    groups.push_back(std::make_unique<EquilibriumGroup>(scene, g));
+
+  double squared = 0.0;
+  std::vector<std::size_t> rows(scene.loads.loads.size(), 0);
+  for (const auto& group : groups) {
+    for (const EquilibriumGroup::Load& load : group->loads()) {
+      rows[load.index] = group->free();
+      for (std::size_t i = 0; i < group->free(); ++i) squared += group->weights()[i] * load.reference[i] * load.reference[i];
+    }
+  }
+  for (std::size_t l = 0; l < rows.size(); ++l) {
+    first_residual[l] = residual_count;
+    residual_count += rows[l];
+  }
+  if (!(squared > 0.0))
+    throw InputError("the reference displacement is zero everywhere: there is nothing to fit; give the loads a stress");
+  if (!std::isfinite(squared)) throw InputError("the reference displacement is not finite; check stress and young");
+  reference_norm = std::sqrt(squared);
+  inverse_reference_squared = 1.0 / squared;
+}
+
+}  // namespace nodal::elastic

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <nodal/elastic/elastic_problem.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "elastic_evaluator.h"
+#include "elastic_model.h"
+
+namespace nodal::elastic {
+
+namespace {
+
+// How far inside its bounds a start is moved that a rule put outside: this share of ln(upper/lower). Methods that
+// start on a bound can stick to it.
+constexpr double kJustInside = 1e-6;
+
+}  // namespace
+
+struct ElasticProblem::Data {
+  explicit Data(Scene scene) : model(std::move(scene)) {
+    const double lower = std::log(model.scene.stiffness_bounds[0]), upper = std::log(model.scene.stiffness_bounds[1]);
+    const double margin = kJustInside * (upper - lower);
+    std::vector<double> start(model.parameters.size());
+    model.parameters.coordinates(model.scene.initial_stiffness, start);
+    std::vector<Coordinate> coordinates;
+    for (std::size_t i = 0; i < start.size(); ++i) {
+      const bool outside = !(lower <= start[i] && start[i] <= upper);
+      if (outside) ++moved_starts;
+      const double inside = outside ? std::clamp(start[i], lower + margin, upper - margin) : start[i];
+      coordinates.push_back({model.parameters.name(i), lower, upper, inside});
+    }
+    space = Space(coordinates);
+  }
+
+  ElasticModel model;
+  Space space;
+  std::size_t moved_starts = 0;
+};
+
+ElasticProblem::ElasticProblem(Scene scene) : data_(std::make_unique<Data>(std::move(scene))) {}
+ElasticProblem::~ElasticProblem() = default;
+
+const Space& ElasticProblem::space() const { return data_->space; }
+const Scene& ElasticProblem::scene() const noexcept { return data_->model.scene; }
+const Parameters& ElasticProblem::parameters() const noexcept { return data_->model.parameters; }
+
+Abilities ElasticProblem::abilities() const {
+  return {.gradient = true, .residuals = true, .jacobian_products = true, .moves = parameters().one_to_one()};
+}
+
+std::size_t ElasticProblem::residual_count() const { return data_->model.residual_count; }
+
+std::unique_ptr<Evaluator> ElasticProblem::make_evaluator() const {
+  return std::make_unique<ElasticEvaluator>(data_->model);
+}
+
+std::optional<double> ElasticProblem::relative_error(double cost) const { return std::sqrt(2.0 * cost); }
+double ElasticProblem::quality(double cost) const { return std::sqrt(2.0 * cost) * data_->model.reference_norm; }
+
+std::vector<double> ElasticProblem::stiffness(std::span<const double> x) const {
+  std::vector<double> k(parameters().springs());
+  parameters().stiffness(x, k);
+  return k;
+}
+
+State ElasticProblem::solve(std::span<const double> stiffness) const {
+  State state;
+  ElasticEvaluator evaluator(data_->model);
+  const Evaluation result = evaluator.solve_refined(stiffness, state.message);
+  state.status = result.status;
+  state.health = evaluator.health();
+  if (!result.ok()) return state;
+  state.quality = quality(result.cost);
+  state.relative_error = *relative_error(result.cost);
+  const auto [softest, stiffest] = std::ranges::minmax(stiffness);
+  state.health.spread = stiffest / softest;
+  state.loads.resize(scene().loads.loads.size());
+  for (std::size_t g = 0; g < data_->model.groups.size(); ++g) {
+    Equilibrium& equilibrium = evaluator.equilibrium(g);
+    const EquilibriumGroup& group = equilibrium.group();
+    for (std::size_t l = 0; l < group.loads().size(); ++l) {
+      const LoadCase& load = scene().loads.loads[group.loads()[l].index];
+      const std::span<const double> placed = equilibrium.displacement(l);
+      // F^b = K u − F^e on the fixed freedoms, summed by springs.
+      std::vector<double> force(group.freedoms(), 0.0);
+      for (std::size_t e = 0; e < group.springs(); ++e)
+        group.add_spring(e, stiffness[e] * group.elongation(e, placed.data()), force.data());
+      LoadState& out = state.loads[group.loads()[l].index];
+      out.name = load.name;
+      out.quality = std::sqrt(squared_error(group, l, placed.data()));
+      out.reference = load.reference;
+      out.displacement.resize(group.freedoms());
+      for (std::size_t i = 0; i < group.freedoms(); ++i) out.displacement[i] = placed[group.place()[i]];
+      out.supports = group.supports();
+      for (const Support& s : group.supports()) {
+        const std::size_t freedom = 2 * s.node + s.axis;
+        out.bearing.push_back(force[group.place()[freedom]] - load.forces[freedom]);
+      }
+    }
+  }
+  return state;
+}
+
+std::vector<Stage> ElasticProblem::stages() const {
+  const Scene& s = scene();
+  const ElasticModel& model = data_->model;
+  const bool supernodal = std::ranges::any_of(model.groups, [](const auto& g) { return g->pattern().supernodal(); });
+  return {
+      {"body", true, fmt::format("rectangle {} × {}, thickness {}", s.net.body.size[0], s.net.body.size[1], s.net.body.thickness)},
+      {"points", true, fmt::format("grid of {} × {} nodes", s.net.grid.columns, s.net.grid.rows)},
+      {"iterated Voronoi regions", false, "the points lie on a grid"},
+      {"springs", true, fmt::format("{}, {} springs", s.net.topology, s.net.springs.size())},
+      {"Delaunay triangulation", false, "the grid's topology says which nodes are joined"},
+      {"masses", false, "equilibria need none"},
+      {"loads", true, fmt::format("{} load cases, {} support group{}", s.loads.loads.size(), s.loads.groups.size(), s.loads.groups.size() == 1 ? "" : "s")},
+      {"analytic reference", true, "homogeneous rectangle: the closed form is exact"},
+      {"finite-element reference", false, "the closed form holds"},
+      {"parameters", true, fmt::format("{}: {} coordinates (ln k) for {} springs", s.parameter_rule, parameters().size(), parameters().springs())},
+      {"initial stiffness", true, s.initial_rule},
+      {"equilibrium", true, fmt::format("CHOLMOD {}, {} factorization{} per value", supernodal ? "supernodal" : "simplicial", model.groups.size(), model.groups.size() == 1 ? "" : "s")},
+      {"gradient", true, "adjoint: one more solve per load, from the same factorizations"},
+      {"rank-one moves", parameters().one_to_one(), parameters().one_to_one() ? "one solve per support group prices a proposal" : "tied springs: proposals are full evaluations"},
+  };
+}
+
+std::vector<std::string> ElasticProblem::remarks() const {
+  const Scene& s = scene();
+  std::vector<std::string> remarks;
+  double factor_entries = 0.0;
+  for (const auto& group : data_->model.groups) factor_entries += group->pattern().factor_entries();
+  const double jacobian_mib = static_cast<double>(residual_count() * parameters().size()) * 8.0 / 1048576.0;
+  remarks.push_back(fmt::format("{} residuals; factors hold {:.0f} entries ({:.2f} MiB), a dense Jacobian {:.2f} MiB",
+                                residual_count(), factor_entries, factor_entries * 8.0 / 1048576.0, jacobian_mib));
+  if (data_->moved_starts > 0)
+    remarks.push_back(fmt::format("the start of {} of {} coordinates was outside the bounds and moved just inside",
+                                  data_->moved_starts, parameters().size()));
+  const double poisson = s.material.plane_poisson();
+  if (std::abs(poisson - 1.0 / 3.0) > 0.02) {
+    const bool tied = !parameters().one_to_one();
+    remarks.push_back(fmt::format(
+        "springs alone make a Cauchy-elastic net: even, isotropic ones have Poisson's ratio 1/3 in the plane, this body has "
+        "{:.4g}; {}", poisson,
+        tied ? "tied springs can't make up for that, so expect a remaining error"
+             : "free, uneven springs reach it at the price of a spread in stiffness and of local noise"));
+  }
+  return remarks;
+}
+
+}  // namespace nodal::elastic

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+/// Starts that need equilibria: the best single factor of a rule, and the minimiser of the energy functional.
+
+#include <array>
+#include <vector>
+
+#include <nodal/elastic/elastic_problem.h>
+
+namespace nodal::elastic {
+
+/// The factor c that minimises G(c·k): u scales with s = 1/c, so s = ⟨u, u_ref⟩_W / ⟨u, u⟩_W, without a search.
+/// InputError when the net is a mechanism, or moves against its reference so that no positive factor helps.
+[[nodiscard]] double best_scale(const Scene& scene, const std::vector<double>& stiffness);
+
+/// The minimiser of the convex energy
+///     J(k) = Σ_loads [½ fᵀK(k)⁻¹f − fᵀu_ref + ½ Σ_e k_e (b_e·u_ref)²],  ∂J/∂k_e = Σ_loads ½ (b_e·u_ref)² − ½ (b_e·u)²,
+/// subject to bounds. J ≥ 0, and J = 0 exactly where u = u_ref: it is the energy norm of the misfit. One optimum, from any
+/// start; found by a projected Newton method (Bertsekas 1982) whose steps come from preconditioned conjugate gradients
+/// with Hessian products (b_e·u)(b_e·K⁻¹b_f)(b_f·u), one solve per load each.
+/// Valid where u_ref meets the supports.
+[[nodiscard]] std::vector<double> energy_stiffness(const Scene& scene, const std::array<double, 2>& bounds);
+
+}  // namespace nodal::elastic

@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "equilibrium.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <stdexcept>
+
+namespace nodal::elastic {
+
+namespace {
+
+constexpr double kRounding = std::numeric_limits<double>::epsilon();
+
+// In a race a value is refined only where a plain solve may be off by more than this.
+constexpr double kRaceAccuracy = 1e-10;
+
+// One correction leaves about the square of its own relative size: above this, one is not enough to trust.
+constexpr double kSuspiciousCorrection = 1e-4;
+
+std::vector<bool> fixed_freedoms(const Scene& scene, const SupportGroup& group) {
+  std::vector<bool> fixed(2 * scene.net.nodes.size(), false);
+  for (const Support& s : group.supports) fixed.at(2 * s.node + s.axis) = true;
+  return fixed;
+}
+
+// One spring couples freedom a with freedom b by d_a d_b: minus that between its two ends.
+template <class Visit>
+void for_each_coupling(const Spring& s, Visit visit) {
+  const std::array<std::size_t, 4> freedom = {2 * s.first, 2 * s.first + 1, 2 * s.second, 2 * s.second + 1};
+  const std::array<double, 4> b = {-s.direction[0], -s.direction[1], s.direction[0], s.direction[1]};
+  for (std::size_t p = 0; p < 4; ++p)
+    for (std::size_t q = p; q < 4; ++q)
+      if (b[p] * b[q] != 0.0) visit(freedom[p], freedom[q], b[p] * b[q]);
+}
+
+Factorization factorization_of(const std::string& solver) {
+  return solver == "simplicial"   ? Factorization::simplicial
+         : solver == "supernodal" ? Factorization::supernodal
+                                  : Factorization::automatic;
+}
+
+// Unknowns are numbered by ascending free freedom before the factor permutes them.
+std::vector<std::size_t> unknown_of(const std::vector<bool>& fixed) {
+  std::vector<std::size_t> unknown(fixed.size(), 0);
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < fixed.size(); ++i)
+    if (!fixed[i]) unknown[i] = next++;
+  return unknown;
+}
+
+std::vector<Nonzero> couplings(const Scene& scene, const std::vector<bool>& fixed) {
+  const std::vector<std::size_t> unknown = unknown_of(fixed);
+  std::vector<Nonzero> entries;
+  for (const Spring& s : scene.net.springs)
+    for_each_coupling(s, [&](std::size_t a, std::size_t b, double) {
+      if (!fixed[a] && !fixed[b]) entries.push_back({unknown[a], unknown[b]});
+    });
+  return entries;
+}
+
+double norm(std::span<const double> v) {
+  double sum = 0.0;
+  for (const double x : v) sum += x * x;
+  return std::sqrt(sum);
+}
+
+}  // namespace
+
+EquilibriumGroup::EquilibriumGroup(const Scene& scene, std::size_t group)
+    : supports_(scene.loads.groups.at(group).supports),
+      fixed_(fixed_freedoms(scene, scene.loads.groups[group])),
+      free_(static_cast<std::size_t>(std::ranges::count(fixed_, false))),
+      pattern_(free_, couplings(scene, fixed_), factorization_of(scene.solver)) {
+  place_freedoms(scene);
+  gather_terms(scene);
+  for (std::size_t l = 0; l < scene.loads.loads.size(); ++l) {
+    const LoadCase& load = scene.loads.loads[l];
+    if (load.group != group) continue;
+    Load placed{l, std::vector<double>(freedoms()), std::vector<double>(freedoms())};
+    for (std::size_t i = 0; i < freedoms(); ++i) {
+      placed.forces[place_[i]] = load.forces.at(i);
+      placed.reference[place_[i]] = load.reference.at(i);
+    }
+    loads_.push_back(std::move(placed));
+  }
+}
+
+void EquilibriumGroup::place_freedoms(const Scene& scene) {
+  const std::size_t count = fixed_.size();
+  const std::vector<std::size_t> unknown = unknown_of(fixed_);
+  place_.resize(count);
+  freedom_.resize(count);
+  residual_.resize(free_);
+  std::size_t next_fixed = free_;
+  for (std::size_t i = 0; i < count; ++i) {
+    place_[i] = fixed_[i] ? next_fixed++ : pattern_.position()[unknown[i]];
+    freedom_[place_[i]] = i;
+    if (!fixed_[i]) residual_[place_[i]] = unknown[i];
+  }
+  prescribed_.assign(count, 0.0);
+  for (const Support& s : supports_) {
+    prescribed_[place_[2 * s.node + s.axis]] = s.value;
+    moved_supports_ = moved_supports_ || s.value != 0.0;
+  }
+  weights_.assign(count, 0.0);
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t node = i / 2;
+    const double weight = scene.net.on_corner(node)   ? scene.weights.corner
+                          : scene.net.on_border(node) ? scene.weights.border
+                                                      : scene.weights.inner;
+    if (!fixed_[i]) weights_[place_[i]] = weight;
+  }
+}
+
+void EquilibriumGroup::gather_terms(const Scene& scene) {
+  const std::vector<std::size_t> unknown = unknown_of(fixed_);
+  std::vector<std::vector<Term>> by_entry(pattern_.entries());
+  for (std::size_t e = 0; e < scene.net.springs.size(); ++e) {
+    const Spring& s = scene.net.springs[e];
+    const auto at = [this](std::size_t freedom) { return static_cast<std::uint32_t>(place_[freedom]); };
+    ends_.push_back({s.direction[0], s.direction[1], at(2 * s.first), at(2 * s.first + 1), at(2 * s.second),
+                     at(2 * s.second + 1)});
+    for_each_coupling(s, [&](std::size_t a, std::size_t b, double factor) {
+      if (!fixed_[a] && !fixed_[b])
+        by_entry[pattern_.entry(unknown[a], unknown[b])].push_back({static_cast<std::uint32_t>(e), factor});
+    });
+  }
+  term_begins_.push_back(0);
+  for (const std::vector<Term>& terms : by_entry) {
+    terms_.insert(terms_.end(), terms.begin(), terms.end());
+    term_begins_.push_back(static_cast<std::uint32_t>(terms_.size()));
+  }
+}
+
+void EquilibriumGroup::assemble(std::span<const double> stiffness, std::span<double> values) const noexcept {
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    double sum = 0.0;
+    for (std::uint32_t t = term_begins_[i]; t < term_begins_[i + 1]; ++t)
+      sum += terms_[t].factor * stiffness[terms_[t].spring];
+    values[i] = sum;
+  }
+}
+
+Equilibrium::Equilibrium(const EquilibriumGroup& group)
+    : group_(group),
+      factor_(group.pattern()),
+      displacements_(group.loads().size() * group.freedoms(), 0.0),
+      residual_(group.freedoms(), 0.0),
+      magnitude_(group.freedoms(), 0.0),
+      scratch_(group.freedoms(), 0.0) {}
+
+Status Equilibrium::factorize(std::span<const double> stiffness) {
+  stiffness_ = stiffness;
+  group_.assemble(stiffness, factor_.values());
+  ++work_.factorizations;
+  work_.flops += group_.pattern().factorization_flops();
+  work_.factorization_flops += group_.pattern().factorization_flops();
+  return factor_.factorize();
+}
+
+std::span<const double> Equilibrium::solve(std::size_t count) {
+  work_.solves += static_cast<std::int64_t>(count);
+  work_.flops += static_cast<double>(count) * group_.pattern().solve_flops();
+  return factor_.solve(count);
+}
+
+Status Equilibrium::solve_loads() {
+  const std::size_t free = group_.free(), count = group_.loads().size();
+  const std::span<double> rhs = factor_.right_hand_side(count);
+  for (std::size_t l = 0; l < count; ++l) {
+    double* column = rhs.data() + l * free;
+    std::copy_n(group_.loads()[l].forces.data(), free, column);
+    if (!group_.has_prescribed_motion()) continue;
+    std::ranges::copy(group_.loads()[l].forces, residual_.begin());
+    for (std::size_t e = 0; e < group_.springs(); ++e)
+      group_.add_spring(e, -stiffness_[e] * group_.elongation(e, group_.prescribed().data()), residual_.data());
+    std::copy_n(residual_.data(), free, column);
+  }
+  const std::span<const double> solution = solve(count);
+  for (std::size_t l = 0; l < count; ++l) {
+    const std::span<double> u = displacement(l);
+    std::copy_n(solution.data() + l * free, free, u.data());
+    std::copy(group_.prescribed().begin() + static_cast<std::ptrdiff_t>(free), group_.prescribed().end(),
+              u.begin() + static_cast<std::ptrdiff_t>(free));
+  }
+  // Cancellation in the worst pivot, growing with the number of unknowns, bounds what a plain solve has lost.
+  const bool lossy = kRounding * static_cast<double>(free) > kRaceAccuracy * factor_.smallest_pivot_ratio();
+  first_correction_ = lossy ? correct() : 0.0;
+  return first_correction_ > kSuspiciousCorrection ? refine().status : Status::ok;
+}
+
+double Equilibrium::correct() {
+  const std::size_t free = group_.free(), count = group_.loads().size();
+  const std::span<double> rhs = factor_.right_hand_side(count);
+  last_residual_ = 0.0;
+  for (std::size_t l = 0; l < count; ++l) {
+    const std::vector<double>& forces = group_.loads()[l].forces;
+    const double* u = displacement(l).data();
+    std::ranges::copy(forces, residual_.begin());
+    std::ranges::fill(magnitude_, 0.0);
+    for (std::size_t e = 0; e < group_.springs(); ++e) {
+      group_.add_spring(e, -stiffness_[e] * group_.elongation(e, u), residual_.data());
+      group_.add_spring_magnitude(e, stiffness_[e] * group_.elongation_magnitude(e, u), magnitude_.data());
+    }
+    std::copy_n(residual_.data(), free, rhs.data() + l * free);
+    const double scale = norm(std::span(forces).first(free)) + norm(std::span(magnitude_).first(free));
+    if (scale > 0.0) last_residual_ = std::max(last_residual_, norm(std::span(residual_).first(free)) / scale);
+  }
+  const std::span<const double> correction = solve(count);
+  double largest = 0.0;
+  for (std::size_t l = 0; l < count; ++l) {
+    const std::span<double> u = displacement(l).first(free);
+    const std::span<const double> du = correction.subspan(l * free, free);
+    const double scale = norm(u);
+    for (std::size_t i = 0; i < free; ++i) u[i] += du[i];
+    const double step = norm(du);
+    if (!std::isfinite(step) || !std::isfinite(scale)) return std::numeric_limits<double>::infinity();
+    if (scale > 0.0) largest = std::max(largest, step / scale);
+  }
+  return largest;
+}
+
+Refinement Equilibrium::refine() {
+  constexpr int kSteps = 5;
+  constexpr double kAtRounding = 8.0 * kRounding;  // a correction this small is noise: nothing is left to gain
+  Refinement result;
+  double previous = 0.0;
+  for (int step = 0; step < kSteps; ++step) {
+    const double size = correct();
+    if (step == 0) result.error_estimate = std::max(size, first_correction_);
+    result.residual = last_residual_;
+    const bool stalled = step > 0 && size > 0.5 * previous;
+    if (!std::isfinite(size) || (stalled && size > 1e3 * kRounding)) {
+      result.status = Status::ill_conditioned;
+      break;
+    }
+    if (size <= kAtRounding || stalled) break;
+    previous = size;
+  }
+  return result;
+}
+
+}  // namespace nodal::elastic

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <nodal/elastic/elastic_problem.h>
+#include <nodal/provenance.h>
+
+#include "cholesky.h"
+
+namespace nodal {
+
+namespace elastic {
+
+namespace {
+
+Value numbers(std::initializer_list<double> values) {
+  Value::List list;
+  for (const double value : values) list.emplace_back(value);
+  return Value(list);
+}
+
+Value integers(std::initializer_list<int> values) {
+  Value::List list;
+  for (const int value : values) list.emplace_back(value);
+  return Value(list);
+}
+
+OptionSchema body_fields() {
+  return {
+      {.name = "shape", .type = OptionType::text, .default_value = "rectangle", .choices = {"rectangle"},
+       .help = "outline of the body"},
+      {.name = "size", .type = OptionType::number_list, .default_value = numbers({4.0, 4.0}), .unit = "m", .minimum = 0.0,
+       .minimum_excluded = true, .length = 2, .help = "width and height"},
+      {.name = "thickness", .type = OptionType::number, .default_value = 1.0, .unit = "m", .minimum = 0.0,
+       .minimum_excluded = true, .help = "thickness of the plate"},
+  };
+}
+
+OptionSchema material_fields() {
+  return {
+      {.name = "young", .type = OptionType::number, .default_value = 1.0, .unit = "Pa", .minimum = 0.0,
+       .minimum_excluded = true, .help = "Young's modulus E"},
+      {.name = "poisson", .type = OptionType::number, .default_value = 0.3, .minimum = -1.0, .maximum = 0.5,
+       .minimum_excluded = true, .maximum_excluded = true, .help = "Poisson's ratio ν; at most 0.4999 in plane strain"},
+      {.name = "plane", .type = OptionType::text, .default_value = "stress", .choices = {"stress", "strain"},
+       .help = "plane stress or plane strain"},
+  };
+}
+
+OptionSchema initial_fields() {
+  return {
+      {.name = "rule", .type = OptionType::text, .choices = {"paper", "area", "lattice", "energy"},
+       .help = "one of the rules"},
+      {.name = "scale", .type = OptionType::text, .choices = {"best"},
+       .help = "best: times the single factor that makes the error least"},
+      {.name = "file", .type = OptionType::text,
+       .help = "a stiffness file, relative to the study; refused when outside the bounds"},
+  };
+}
+
+OptionSchema springs_fields() {
+  return {
+      {.name = "topology", .type = OptionType::text, .default_value = "crossed",
+       .help = "single, alternating or crossed; grid, without diagonals, is refused as a mechanism"},
+      {.name = "parameters", .type = OptionType::text, .default_value = "each",
+       .choices = {"each", "by-direction", "symmetric", "uniform"},
+       .help = "which springs share one stiffness: none, all of a direction, mirror images, all"},
+      {.name = "initial", .type = OptionType::text, .default_value = "paper", .choices = {"paper", "area", "lattice", "energy"},
+       .help = "rule of the start: paper k = E t s0/4; area (Van Gelder); lattice, exact at ν = 1/3; energy, the minimiser "
+               "of a convex energy; or a table with 'rule' and 'scale', or with 'file'",
+       .fields = initial_fields(), .or_table = true},
+      {.name = "bounds", .type = OptionType::number_list, .default_value = numbers({1e-4, 1e2}),
+       .unit = "young × thickness", .minimum = 0.0, .minimum_excluded = true, .length = 2,
+       .help = "lowest and highest stiffness of a spring"},
+  };
+}
+
+OptionSchema loads_fields() {
+  return {
+      {.name = "set", .type = OptionType::text, .default_value = "plate", .choices = {"plate"},
+       .help = "the paper's loads: two stretches and two shears"},
+      {.name = "stress", .type = OptionType::number, .default_value = 1.0, .unit = "Pa", .help = "traction; not 0"},
+      {.name = "supports", .type = OptionType::text, .default_value = "edge", .choices = {"edge", "minimal"},
+       .help = "edge: each load holds an edge (Figure 4); minimal: three balanced loads, rigid motions held (Figure 5)"},
+  };
+}
+
+OptionSchema weight_fields() {
+  const auto weight = [](const char* name, double value, const char* help) {
+    return Option{.name = name, .type = OptionType::number, .default_value = value, .minimum = 0.0, .help = help};
+  };
+  return {weight("inner", 1.0, "of inner nodes"), weight("border", 3.0, "of nodes on the border, corners apart"),
+          weight("corner", 15.0, "of corners")};
+}
+
+Option table(const char* name, const char* help, OptionSchema fields) {
+  return {.name = name, .type = OptionType::table, .default_value = Value(), .help = help, .fields = std::move(fields)};
+}
+
+}  // namespace
+
+OptionSchema elastic_schema() {
+  return {
+      table("body", "what is approximated", body_fields()),
+      table("material", "linear elastic, isotropic, homogeneous", material_fields()),
+      table("points", "where the nodes are",
+            {{.name = "layout", .type = OptionType::text, .default_value = "grid", .choices = {"grid"}, .help = "how nodes are placed"},
+             {.name = "counts", .type = OptionType::integer_list, .default_value = integers({5, 5}), .length = 2,
+              .help = "nodes in x and in y, each at least 2"}}),
+      table("springs", "which nodes are joined, what is free, where it starts", springs_fields()),
+      table("loads", "forces and supports", loads_fields()),
+      table("reference", "the displacements to be matched",
+            {{.name = "method", .type = OptionType::text, .default_value = "auto", .choices = {"auto", "analytic"},
+              .help = "auto takes the closed form, which is exact for a homogeneous rectangle"}}),
+      table("quality", "how displacements are compared: G of eq. (12)",
+            {table("weights", "of squared differences", weight_fields())}),
+      table("equilibrium", "how equilibria are solved",
+            {{.name = "method", .type = OptionType::text, .default_value = "auto", .choices = {"auto", "simplicial", "supernodal"},
+              .help = "CHOLMOD's factorization; auto chooses by size"}}),
+  };
+}
+
+}  // namespace elastic
+
+void register_elastic(Registry& registry) {
+  add_library_version("BLAS", elastic::blas_library());
+  add_library_version("CHOLMOD", elastic::cholmod_version());
+  registry.add(ProblemDescription{
+      .kind = "elastic",
+      .summary = "spring stiffnesses with which a net deforms like an elastic plate",
+      .reference = "O. Deussen, L. Kobbelt, P. Tücke, Using Simulated Annealing to Obtain Good Nodal Approximations of "
+                   "Deformable Bodies, 1995",
+      .options = elastic::elastic_schema(),
+      .make = [](const Options& options, const ProblemContext& context) -> std::shared_ptr<const Problem> {
+        return std::make_shared<elastic::ElasticProblem>(elastic::make_scene(options, context));
+      }});
+}
+
+}  // namespace nodal

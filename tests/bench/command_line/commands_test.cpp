@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The commands as a user runs them: what goes to stdout, what to stderr, and the exit code.
+#include <gtest/gtest.h>
+
+#include <nodal/value.h>
+
+#include "program.h"
+#include "studies.h"
+
+namespace nodal::program {
+namespace {
+
+bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+TEST(Compare, PrintsATableAndWritesTheReport) {
+  const Folder folder;
+  folder.write("quick.toml", kQuickStudy);
+  const Output output = run(folder, {"compare", "quick.toml"});
+  EXPECT_EQ(output.exit, 0) << output.err;
+  EXPECT_TRUE(contains(output.out, "annealing (baseline)")) << output.out;
+  EXPECT_TRUE(contains(output.out, "random-search")) << output.out;
+  EXPECT_TRUE(contains(output.err, "report: results/quick/report.html\n")) << output.err;
+  for (const char* file : {"report.html", "summary.csv", "manifest.json"})
+    EXPECT_GT(std::filesystem::file_size(folder.path() / "results" / "quick" / file), 100u) << file;
+  EXPECT_EQ(count_lines(folder.path() / "results" / "quick" / "trials"), 4u);
+}
+
+TEST(Compare, RunsOnlyWhatIsMissing) {
+  const Folder folder;
+  folder.write("quick.toml", kQuickStudy);
+  EXPECT_EQ(run(folder, {"compare", "quick.toml", "--out", "store"}).exit, 0);
+  const Output again = run(folder, {"compare", "quick.toml", "--out", "store"});
+  EXPECT_EQ(again.exit, 0);
+  EXPECT_TRUE(again.err.starts_with("4 of 4 trials are stored already\n")) << again.err;
+  EXPECT_EQ(count_lines(folder.path() / "store" / "trials"), 4u);
+  const Output more = run(folder, {"compare", "quick.toml", "--out", "store", "--repeats", "3", "--only", "annealing"});
+  EXPECT_TRUE(more.err.starts_with("2 of 3 trials are stored already\nrunning 1 trials\n")) << more.err;
+  EXPECT_EQ(count_lines(folder.path() / "store" / "trials"), 5u);
+}
+
+
+// Diagonals twenty decades softer than the rest: more than double precision carries, so annealing has nowhere to start.
+TEST(Compare, ExitsWithOneWhenATrialFailed) {
+  const Folder folder;
+  folder.write("quick.toml", kQuickStudy);
+  Value system = parse_json(run(folder, {"evaluate", "quick.toml", "--json"}).out, "stdout");
+  Value springs = system.at("springs");
+  for (Value& spring : springs.list()) {
+    const Value::List& nodes = spring.at("nodes").list();
+    const std::int64_t step = nodes[1].integer() - nodes[0].integer();
+    if (step == 2 || step == 4) spring.set("stiffness", 1e-20);
+  }
+  Value file;
+  file.set("springs", springs);
+  folder.write("soft.json", to_json(file));
+  std::string study = kQuickStudy;
+  study.replace(study.find("points ="), 0, "springs = { initial = { file = \"soft.json\" }, bounds = [1e-30, 1e2] }\n");
+  folder.write("soft.toml", study);
+  const Output output = run(folder, {"compare", "soft.toml", "--only", "annealing", "--repeats", "1"});
+  EXPECT_EQ(output.exit, 1) << output.err;
+  EXPECT_TRUE(contains(output.err, "the start can't be evaluated: ill_conditioned")) << output.err;
+  const Output evaluated = run(folder, {"evaluate", "soft.toml"});
+  EXPECT_EQ(evaluated.exit, 1);
+  EXPECT_TRUE(contains(evaluated.err, "stiffnesses differ too much for double precision")) << evaluated.err;
+}
+
+TEST(Report, IsMadeAgainWithoutRunningAnything) {
+  const Folder folder;
+  folder.write("quick.toml", kQuickStudy);
+  const Output compared = run(folder, {"compare", "quick.toml", "--out", "store"});
+  const std::string page = read_file(folder.path() / "store" / "report.html");
+  std::filesystem::remove(folder.path() / "store" / "report.html");
+  std::filesystem::remove(folder.path() / "quick.toml");
+  const Output output = run(folder, {"report", "store"});
+  EXPECT_EQ(output.exit, 0) << output.err;
+  EXPECT_EQ(output.out, compared.out);
+  EXPECT_EQ(read_file(folder.path() / "store" / "report.html"), page);
+}
+
+TEST(Report, MergesSeveralStores) {
+  const Folder folder;
+  folder.write("quick.toml", kQuickStudy);
+  EXPECT_EQ(run(folder, {"compare", "quick.toml", "--out", "a", "--only", "annealing"}).exit, 0);
+  EXPECT_EQ(run(folder, {"compare", "quick.toml", "--out", "b", "--only", "random-search"}).exit, 0);
+  const Output refused = run(folder, {"report", "a", "b"});
+  EXPECT_EQ(refused.exit, 2);
+  EXPECT_EQ(refused.err, "nodal: several stores make one report of their own; say where it goes with --out DIR\n");
+  const Output output = run(folder, {"report", "a", "b", "--out", "both"});
+  EXPECT_EQ(output.exit, 0) << output.err;
+  EXPECT_TRUE(contains(output.out, "annealing (baseline)") && contains(output.out, "random-search")) << output.out;
+  EXPECT_TRUE(std::filesystem::exists(folder.path() / "both" / "report.html"));
+}
+
+TEST(Evaluate, TellsErrorPerLoadAndBearingForces) {
+  const Folder folder;
+  folder.write("quick.toml", kQuickStudy);
+  const Output text = run(folder, {"evaluate", "quick.toml"});
+  EXPECT_EQ(text.exit, 0);
+  for (const char* load : {"stretch-x", "stretch-y", "shear-x", "shear-y"}) EXPECT_TRUE(contains(text.out, load)) << text.out;
+  const Output json = run(folder, {"evaluate", "quick.toml", "--json"});
+  const Value state = parse_json(json.out, "stdout");
+  EXPECT_EQ(state.at("nodes").integer(), 9);
+  EXPECT_EQ(state.at("springs").list().size(), 20u);
+  EXPECT_EQ(state.at("loads").list().size(), 4u);
+  EXPECT_EQ(state.at("loads").list()[0].at("bearing").list().size(), 4u);
+  EXPECT_LT(state.at("health").at("residual").number(), 1e-14);
+}
+
+// The system that a fit exports is the one that evaluate reads: the same error, to the last digits that JSON keeps.
+TEST(Fit, ExportsWhatEvaluateReads) {
+  const Folder folder;
+  folder.write("quick.toml", kQuickStudy);
+  const Output fit = run(folder, {"fit", "quick.toml", "--with", "annealing", "--evaluations", "2000", "--export", "fit.json"});
+  EXPECT_EQ(fit.exit, 0) << fit.err;
+  EXPECT_EQ(fit.out, "");
+  const double start = parse_json(run(folder, {"evaluate", "quick.toml", "--json"}).out, "start").at("quality").number();
+  const double fitted =
+      parse_json(run(folder, {"evaluate", "quick.toml", "--json", "--stiffness", "fit.json"}).out, "fit").at("quality").number();
+  EXPECT_LT(fitted, 0.5 * start);
+}
+
+TEST(Fit, SaysWhichMethodItChoseAndWhy) {
+  const Folder folder;
+  folder.write("quick.toml", kQuickStudy);
+  const Output fit = run(folder, {"fit", "quick.toml"});
+  EXPECT_EQ(fit.exit, 0) << fit.err;
+  EXPECT_TRUE(fit.err.starts_with("elastic (20 coordinates) with ")) << fit.err;
+  EXPECT_EQ(parse_json(fit.out, "stdout").at("springs").list().size(), 20u);
+}
+
+TEST(Explain, ListsStagesUsedAndLeftOutAndTheTrials) {
+  const Folder folder;
+  folder.write("quick.toml", kQuickStudy);
+  const Output output = run(folder, {"explain", "quick.toml", "--trials"});
+  EXPECT_EQ(output.exit, 0);
+  EXPECT_TRUE(contains(output.out, "used     analytic reference")) << output.out;
+  EXPECT_TRUE(contains(output.out, "left out finite-element reference")) << output.out;
+  EXPECT_TRUE(contains(output.out, "4 trials; each ends after 300 evaluations")) << output.out;
+  EXPECT_TRUE(contains(output.out, "elastic, random-search, 1")) << output.out;
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "results"));
+}
+
+TEST(List, NamesWhatThisBuildHas) {
+  const Folder folder;
+  const Output optimizers = run(folder, {"list", "optimizers"});
+  EXPECT_TRUE(contains(optimizers.out, "annealing: ")) << optimizers.out;
+  EXPECT_TRUE(contains(optimizers.out, "initial_temperature (number [quality at the start]; initial_temperature > 0; default 2e-04)")) << optimizers.out;
+  EXPECT_TRUE(contains(run(folder, {"list", "problems"}).out, "elastic: "));
+  EXPECT_TRUE(contains(run(folder, {"list", "topologies"}).out, "crossed: "));
+  EXPECT_TRUE(contains(run(folder, {"list", "scenes"}).out, "plate.toml: The 25-node plate"));
+}
+
+TEST(Help, IsThereForEveryCommand) {
+  const Folder folder;
+  EXPECT_EQ(run(folder, {"--help"}).exit, 0);
+  for (const char* command : {"compare", "evaluate", "fit", "report", "explain", "list"}) {
+    const Output output = run(folder, {command, "--help"});
+    EXPECT_EQ(output.exit, 0) << command;
+    EXPECT_TRUE(contains(output.out, "Usage: nodal " + std::string(command))) << output.out;
+  }
+}
+
+TEST(Version, NamesTheRevisionAndTheLibraries) {
+  const Folder folder;
+  const Output output = run(folder, {"--version"});
+  EXPECT_EQ(output.exit, 0);
+  EXPECT_TRUE(output.out.starts_with("nodal 0.")) << output.out;
+  EXPECT_TRUE(contains(output.out, "revision ") && contains(output.out, "CHOLMOD: ")) << output.out;
+}
+
+}  // namespace
+}  // namespace nodal::program

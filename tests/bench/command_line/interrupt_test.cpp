@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Ctrl-C loses nothing that finished, and the same command goes on from there.
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <set>
+#include <thread>
+
+#include <nodal/store.h>
+
+#include "program.h"
+
+namespace nodal::program {
+namespace {
+
+constexpr const char* kSlowStudy = R"([study]
+name = "slow"
+repeats = 6
+[budget]
+seconds = 0.25
+[problem]
+kind = "elastic"
+[[optimizer]]
+use = "random-search"
+)";
+
+// Waits until something is stored, but not for ever.
+bool wait_for_lines(const std::filesystem::path& directory, std::size_t wanted) {
+  for (int i = 0; i < 600; ++i) {
+    if (count_lines(directory) >= wanted) return true;
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  }
+  return false;
+}
+
+class Interrupted : public testing::TestWithParam<int> {};
+
+TEST_P(Interrupted, ComparisonKeepsWhatFinishedAndGoesOnLater) {
+  const Folder folder;
+  folder.write("slow.toml", kSlowStudy);
+  const std::filesystem::path trials = folder.path() / "results" / "slow" / "trials";
+  Started program(folder, {"compare", "slow.toml"});
+  const bool began = wait_for_lines(trials, 2);
+  ::kill(program.process(), GetParam());
+  const Output output = program.wait();
+  ASSERT_TRUE(began);
+  EXPECT_EQ(output.exit, 130) << output.err;
+  const std::size_t kept = count_lines(trials);
+  EXPECT_GE(kept, 2u);
+  EXPECT_LT(kept, 6u);
+  EXPECT_NE(output.err.find("interrupted: " + std::to_string(kept) + " trials of this run are stored in 'results/slow'; the same "
+                            "command goes on from there\n"), std::string::npos) << output.err;
+
+  const Output again = run(folder, {"compare", "slow.toml"});
+  EXPECT_EQ(again.exit, 0);
+  EXPECT_TRUE(again.err.starts_with(std::to_string(kept) + " of 6 trials are stored already\n")) << again.err;
+  const Store store = Store::open_existing(folder.path() / "results" / "slow");
+  EXPECT_TRUE(store.warnings().empty());
+  std::set<std::string> keys;
+  for (const TrialRecord& record : store.records()) keys.insert(record.key);
+  EXPECT_EQ(keys.size(), 6u);
+  EXPECT_EQ(count_lines(trials), 6u);
+}
+INSTANTIATE_TEST_SUITE_P(Signals, Interrupted, testing::Values(SIGINT, SIGTERM));
+
+// Killed outright it leaves whole lines, and perhaps one that is cut off.
+TEST(Killed, ComparisonGoesOnFromWhatIsWhole) {
+  const Folder folder;
+  folder.write("slow.toml", kSlowStudy);
+  const std::filesystem::path trials = folder.path() / "results" / "slow" / "trials";
+  Started program(folder, {"compare", "slow.toml"});
+  const bool began = wait_for_lines(trials, 1);
+  ::kill(program.process(), SIGKILL);
+  EXPECT_EQ(program.wait().exit, 128 + SIGKILL);
+  ASSERT_TRUE(began);
+  // What a power cut may leave: half a record at the end of the file.
+  for (const auto& entry : std::filesystem::directory_iterator(trials)) {
+    const std::string text = read_file(entry.path());
+    std::filesystem::resize_file(entry.path(), text.size() - 20);
+  }
+  const Output again = run(folder, {"compare", "slow.toml"});
+  EXPECT_EQ(again.exit, 0) << again.err;
+  EXPECT_NE(again.err.find("a line that is no whole record was dropped; its trial runs again"), std::string::npos) << again.err;
+  const Store store = Store::open_existing(folder.path() / "results" / "slow");
+  EXPECT_EQ(store.records().size(), 6u);
+}
+
+}  // namespace
+}  // namespace nodal::program

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+/// Runs the program as a user does, in a folder of the test's own.
+
+#include <sys/types.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace nodal::program {
+
+struct Output {
+  int exit = -1;     ///< exit code, or 128 + signal
+  std::string out, err;
+};
+
+/// An empty folder that goes when this goes.
+class Folder {
+ public:
+  Folder();
+  ~Folder();
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+
+  [[nodiscard]] const std::filesystem::path& path() const noexcept { return path_; }
+  /// Writes a file into it and returns its path.
+  std::filesystem::path write(const std::string& name, const std::string& text) const;
+
+ private:
+  std::filesystem::path path_;
+};
+
+/// A program that has been started and not yet waited for; stdout and stderr go to files of `folder`.
+class Started {
+ public:
+  Started(const Folder& folder, const std::vector<std::string>& arguments);
+  [[nodiscard]] pid_t process() const noexcept { return process_; }
+  Output wait();
+
+ private:
+  const Folder& folder_;
+  pid_t process_;
+};
+
+/// Starts in `folder` and waits.
+Output run(const Folder& folder, const std::vector<std::string>& arguments);
+
+[[nodiscard]] std::string read_file(const std::filesystem::path& path);
+[[nodiscard]] std::size_t count_lines(const std::filesystem::path& directory);  ///< of all its *.jsonl files
+
+}  // namespace nodal::program

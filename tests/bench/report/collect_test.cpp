@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <report/report_data.h>
+
+#include <gtest/gtest.h>
+
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+
+namespace nodal::report {
+namespace {
+
+// A store on disk, written as files: collecting needs no study.
+class Collect : public ::testing::Test {
+ protected:
+  Collect()
+      : folder_(std::filesystem::temp_directory_path() /
+                ("nodal_collect_" + std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()) +
+                 std::to_string(::getpid()))) {}
+  ~Collect() override { std::filesystem::remove_all(folder_); }
+
+  static TrialRecord record(const std::string& key, const std::string& optimizer, double quality,
+                            End end = End::budget) {
+    TrialRecord r;
+    r.key = key;
+    r.problem = "plate";
+    r.optimizer = r.use = optimizer;
+    r.end = end;
+    r.reason = end == End::budget ? "evaluations spent" : "the plate broke";
+    r.start = {0.5, 4.0, 1.0};
+    r.best = BestPoint{10, {0.5 * quality * quality / 16.0, quality, quality / 4.0}, {0.1, 0.2}};
+    r.counts.evaluations = 10;
+    r.seconds.total = 0.5;
+    r.trace = {{0, 1e-4, 0, 4.0}, {10, 0.1, 4, quality}};
+    return r;
+  }
+
+  // `young` makes problems differ; no keys: everything counts.
+  Store store(const std::string& name, const std::vector<TrialRecord>& records, double young = 1.0,
+              const Value::List& keys = {}) const {
+    const std::filesystem::path path = folder_ / name;
+    std::filesystem::create_directories(path / "trials");
+    Value problem, optimizer, study, manifest, options;
+    options.set("young", young);
+    problem.set("label", "plate");
+    problem.set("kind", "elastic");
+    problem.set("options", options);
+    optimizer.set("label", records.at(0).optimizer);
+    optimizer.set("use", records.at(0).use);
+    optimizer.set("baseline", records.at(0).optimizer == "annealing");
+    study.set("name", "race");
+    study.set("text", "[study]\n");
+    manifest.set("schema", 1);
+    manifest.set("study", study);
+    manifest.set("problems", Value::List{problem});
+    manifest.set("optimizers", Value::List{optimizer});
+    manifest.set("left_out", Value::List{});
+    manifest.set("keys", keys);
+    manifest.set("runs", Value::List{});
+    std::ofstream(path / "manifest.json") << to_json(manifest);
+    std::ofstream lines(path / "trials" / "one.jsonl");
+    for (const TrialRecord& r : records) lines << to_json_line(r) << '\n';
+    lines.close();
+    return Store::open_existing(path);
+  }
+
+ private:
+  std::filesystem::path folder_;
+};
+
+TEST_F(Collect, MergesStoresAndCountsARecordOnce) {
+  std::vector<Store> stores;
+  stores.push_back(store("a", {record("k1", "annealing", 2.0), record("k2", "annealing", 2.2)}));
+  stores.push_back(store("b", {record("k3", "ceres", 1.0), record("k1", "annealing", 2.0)}));
+  const ReportData data = collect(stores);
+  EXPECT_EQ(data.study_name, "race");
+  ASSERT_EQ(data.problems.size(), 1u);
+  const ProblemReport& problem = data.problems[0];
+  ASSERT_EQ(problem.table.rows.size(), 2u);
+  EXPECT_EQ(problem.table.rows[0].label, "annealing");
+  EXPECT_TRUE(problem.table.rows[0].baseline);
+  EXPECT_EQ(problem.table.rows[0].trials, 2u);
+  EXPECT_EQ(problem.table.rows[1].trials, 1u);
+  EXPECT_TRUE(problem.table.reference.provisional);
+  ASSERT_TRUE(problem.best);
+  EXPECT_EQ(problem.best->optimizer, "ceres");
+  ASSERT_TRUE(problem.error_per_quality);
+  EXPECT_DOUBLE_EQ(*problem.error_per_quality, 0.25);
+  EXPECT_EQ(problem.curves.size(), 2u);
+  EXPECT_TRUE(data.warnings.empty());
+}
+
+TEST_F(Collect, LeavesOutTrialsOfEarlierSettingsAndSaysSo) {
+  std::vector<Store> stores;
+  stores.push_back(store("a", {record("k1", "annealing", 2.0), record("old", "annealing", 1.0)}, 1.0, {"k1"}));
+  const ReportData data = collect(stores);
+  EXPECT_EQ(data.problems[0].table.rows[0].trials, 1u);
+  ASSERT_EQ(data.warnings.size(), 1u);
+  EXPECT_NE(data.warnings[0].find("1 stored trials"), std::string::npos);
+}
+
+TEST_F(Collect, RefusesDifferentProblemsUnderOneLabel) {
+  std::vector<Store> stores;
+  stores.push_back(store("a", {record("k1", "annealing", 2.0)}, 1.0));
+  stores.push_back(store("b", {record("k2", "annealing", 2.0)}, 2.0));
+  EXPECT_THROW((void)collect(stores), InputError);
+}
+
+TEST_F(Collect, KeepsTheReasonsOfFailedTrials) {
+  std::vector<Store> stores;
+  stores.push_back(store("a", {record("k1", "annealing", 2.0), record("k2", "annealing", 3.0, End::crashed)}));
+  const ReportData data = collect(stores);
+  ASSERT_EQ(data.failed.size(), 1u);
+  EXPECT_EQ(data.failed[0].end, End::crashed);
+  EXPECT_EQ(data.failed[0].reason, "the plate broke");
+}
+
+TEST_F(Collect, DrawsQualityWhereErrorIsNotProportionalToIt) {
+  TrialRecord odd = record("k1", "annealing", 2.0);
+  odd.best->summary.relative_error = 0.1;
+  std::vector<Store> stores;
+  stores.push_back(store("a", {odd}));
+  EXPECT_FALSE(collect(stores).problems[0].error_per_quality);
+}
+
+}  // namespace
+}  // namespace nodal::report

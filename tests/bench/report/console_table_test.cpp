@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <report/number_text.h>
+#include <report/report.h>
+
+#include <algorithm>
+#include <sstream>
+
+#include "fixture.h"
+
+namespace nodal::report {
+namespace {
+
+constexpr const char* kLegend =
+    "Best first: by error as printed, equal ones by time to gap 0.01. Times and counts are medians over trials.\n"
+    "Gap = (G − G*)/(G at the start − G*): 1 at the start, 0 at G*, the best known. \"Time to 0.01\" is the time to "
+    "that gap.\n"
+    "Never: the median trial doesn't get there. Times faster: the baseline's time to gap 0.01 over this one's.\n"
+    "Reached: trials that got to gap 0.01, of all trials.\n";
+
+TEST(ConsoleTable, SaysWhoGetsHowCloseHowFast) {
+  ReportData data = fixture::make_data();
+  data.failed.clear();
+  data.left_out.clear();
+  EXPECT_EQ(
+      console_table(data, 160),
+      std::string(
+          R"(plate: G at the start 2.304 (relative error 0.2880); G* = 0.7376 (multi-start Gauss-Newton, 12 starts agree)
+
+                           relative                           G  evalu-  factori-    total  time to  time to  time to   times   reached  failed
+optimizer                     error         [quartiles]  median  ations   zations     time      0.1     0.01    0.001  faster      0.01
+ceres-levenberg-marquardt   0.09220  [0.09211, 0.09230]  0.7376  20,736         –  1.72 ms   500 µs   600 µs   700 µs    333×  15 of 15       0
+annealing (baseline)        0.09380  [0.09371, 0.09389]  0.7504  20,736       152   431 ms  12.3 ms   200 ms    never      1×  14 of 15       0
+random-search                0.2811    [0.2808, 0.2814]   2.249  20,736       152   500 ms    never    never    never   never   0 of 15       2
+
+)") + kLegend);
+}
+
+TEST(ConsoleTable, NamesFailuresAndWhatIsLeftOut) {
+  const std::string text = console_table(fixture::make_data());
+  EXPECT_NE(text.find("Left out: stogo (nlopt-gd-stogo): this build has NLopt without StoGO\n"), std::string::npos);
+  EXPECT_NE(text.find("Failed: random-search on plate, repeat 5, timeout: killed after 2 s\n"), std::string::npos);
+}
+
+std::size_t widest_row(const std::string& text) {
+  std::istringstream lines(text);
+  std::size_t widest = 0;
+  // The heading and the legend wrap by themselves; rows must not.
+  for (std::string line; std::getline(lines, line);)
+    if (line.find("search") != std::string::npos || line.find("annealing") != std::string::npos)
+      widest = std::max(widest, display_width(line));
+  return widest;
+}
+
+TEST(ConsoleTable, LeavesOutColumnsBeforeItGetsTooWide) {
+  ReportData data = fixture::make_data();
+  data.failed.clear();
+  for (const std::size_t width : {140u, 125u, 115u}) EXPECT_LE(widest_row(console_table(data, width)), width);
+  EXPECT_NE(console_table(data, 115).find("(left out to fit 115 columns: quartiles, factorizations)"),
+            std::string::npos);
+  EXPECT_NE(console_table(data, 40).find("quartiles, factorizations, evaluations)"), std::string::npos);
+}
+
+TEST(ConsoleTable, SaysWhichOneNeverGetsThere) {
+  ReportData data = fixture::make_data();
+  std::vector<OptimizerRow>& rows = data.problems[0].table.rows;
+  rows[0].targets[1].median.fill(std::nullopt);
+  rows[1].targets[1].multiple.fill(std::nullopt);
+  const std::string text = console_table(data);
+  EXPECT_NE(text.find("baseline never"), std::string::npos);  // where the other does
+  EXPECT_NE(text.find("both never"), std::string::npos);
+}
+
+TEST(ConsoleTable, CallsAProvisionalOptimumProvisional) {
+  ReportData data = fixture::make_data();
+  data.problems[0].table.reference = {"plate", 0.75, "the best of these trials", true};
+  EXPECT_NE(console_table(data).find("G* = 0.7500, provisional: the best of these trials\n"), std::string::npos);
+}
+
+TEST(ConsoleTable, AlignsLabelsThatAreNotAscii) {
+  ReportData data = fixture::make_data();
+  data.problems[0].table.rows[2].label = "Zufällige Größe µ×–";
+  std::istringstream lines(console_table(data, 200));
+  std::vector<std::size_t> widths;
+  for (std::string line; std::getline(lines, line);)
+    if (line.find(" of 15") != std::string::npos) widths.push_back(display_width(line));
+  ASSERT_EQ(widths.size(), 3u);
+  EXPECT_EQ(std::ranges::count(widths, widths[0]), 3);
+}
+
+}  // namespace
+}  // namespace nodal::report

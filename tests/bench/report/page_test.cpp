@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <report/html.h>
+#include <report/report.h>
+
+#include <regex>
+
+#include "fixture.h"
+
+namespace nodal::report {
+namespace {
+
+constexpr const char* kHostile = "</script><img src=x onerror=alert(1)>&\"'";
+
+std::size_t count(const std::string& text, std::string_view part) {
+  std::size_t found = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + part.size())) ++found;
+  return found;
+}
+
+TEST(Page, LoadsNothingFromOutside) {
+  ReportData data = fixture::make_data();
+  data.plates = {fixture::make_square("start", 0.5)};
+  const std::string page = report_html(data);
+  // Namespaces of SVG inside the scripts are names, not addresses that are loaded.
+  const std::regex loads(
+      R"((src|href|srcset|action)\s*=\s*["']?\s*(https?:)?//|url\(\s*["']?\s*(https?:)?//|@import|<link|<iframe)");
+  const std::string own = page.substr(0, page.find("<script>\n"));
+  EXPECT_FALSE(std::regex_search(own, loads));
+  EXPECT_FALSE(std::regex_search(std::string(report_js()), loads));
+  EXPECT_EQ(count(page, "<script src"), 0u);
+}
+
+TEST(Page, LabelsCannotBreakOut) {
+  ReportData data = fixture::make_data();
+  ProblemReport& problem = data.problems[0];
+  data.study_name = data.study_text = problem.table.reference.label = problem.table.reference.origin = kHostile;
+  problem.table.rows[0].label = problem.curves[0].optimizer = kHostile;
+  data.warnings = {kHostile};
+  data.failed[0].reason = kHostile;
+  data.left_out[0].reason = kHostile;
+  data.builds[0].set("revision", kHostile);
+  data.plates = {fixture::make_square(kHostile, 0.5)};
+  data.plates[0].problem = kHostile;
+  data.plates[0].loads[0].name = kHostile;
+  const std::string page = report_html(data);
+  EXPECT_EQ(count(page, "<img"), 0u);
+  // Two scripts and one block of data: what opens is what we opened.
+  EXPECT_EQ(count(page, "</script>"), 3u);
+  EXPECT_GE(count(page, "&lt;/script&gt;&lt;img src=x onerror=alert(1)&gt;&amp;&quot;&#39;"), 8u);
+}
+
+TEST(Page, ShowsTheRowsOfTheConsoleTable) {
+  const std::string page = report_html(fixture::make_data());
+  for (const char* cell : {"<td>0.09220</td>", "<td>333×</td>", "<td class=\"never\">never</td>", "<td>14 of 15</td>",
+                           "<th scope=\"row\">annealing (baseline)</th>"})
+    EXPECT_NE(page.find(cell), std::string::npos) << cell;
+}
+
+TEST(Page, WithoutCurvesItHasNeitherChartNorScript) {
+  ReportData data = fixture::make_data();
+  data.problems[0].curves.clear();
+  const std::string page = report_html(data);
+  EXPECT_EQ(count(page, "<script"), 0u);
+  EXPECT_LT(page.size(), 20'000u);  // Vega alone is 450 kB
+}
+
+TEST(Page, OffersWorkOnlyWhereItDiffersFromEvaluations) {
+  ReportData data = fixture::make_data();
+  EXPECT_EQ(count(report_html(data), "data-axis=\"work\""), 1u);
+  for (OptimizerCurves& curves : data.problems[0].curves) curves.by_axis[2] = curves.by_axis[1];
+  EXPECT_EQ(count(report_html(data), "data-axis=\"work\""), 0u);
+}
+
+TEST(Page, NeverWritesWhatIsNoNumber) {
+  ReportData data = fixture::make_data();
+  data.problems[0].curves[0].by_axis[0][0].quality.upper = std::numeric_limits<double>::infinity();
+  data.problems[0].curves[0].by_axis[0][1].position = 0.0;
+  EXPECT_NO_THROW((void)report_html(data));
+  EXPECT_EQ(count(chart_html(data.problems[0], 0), "null"), 0u);
+}
+
+}  // namespace
+}  // namespace nodal::report

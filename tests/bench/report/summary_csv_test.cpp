@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <report/report.h>
+
+#include <algorithm>
+#include <sstream>
+
+#include "fixture.h"
+
+namespace nodal::report {
+namespace {
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::istringstream stream(text);
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+TEST(SummaryCsv, HasEveryFigureInFullPrecisionAndNothingForNever) {
+  const std::vector<std::string> lines = lines_of(summary_csv(fixture::make_data()));
+  ASSERT_EQ(lines.size(), 4u);
+  EXPECT_TRUE(lines[0].starts_with(
+      "problem,optimizer,use,baseline,trials,failed,best_known,best_known_origin,best_known_provisional,"
+      "start_quality,start_relative_error,quality_lower,quality_median,quality_upper,"))
+      << lines[0];
+  EXPECT_TRUE(
+      lines[0].ends_with(",success_rate_to_gap_1e-8,seconds_to_gap_1e-8,evaluations_to_gap_1e-8,work_to_gap_1e-8,"
+                         "seconds_multiple_to_gap_1e-8,evaluations_multiple_to_gap_1e-8,work_multiple_to_gap_1e-8"))
+      << lines[0];
+  EXPECT_TRUE(lines[1].starts_with(
+      "plate,annealing,annealing,true,15,0,0.7376255865,\"multi-start Gauss-Newton, 12 starts agree\",false,"
+      "2.304,0.288,0.7496495999999999,0.7504,0.7511503999999999,"))
+      << lines[1];
+  EXPECT_NE(lines[2].find(",1,0.0006,0.6,0.06,333.3,,,"), std::string::npos) << lines[2];
+  EXPECT_TRUE(lines[3].ends_with(",0,,,,,,,0,,,,,,")) << lines[3];
+}
+
+TEST(SummaryCsv, EveryLineHasAsManyFieldsAsTheHeader) {
+  ReportData data = fixture::make_data();
+  data.problems[0].table.reference.origin = "no commas";
+  const std::vector<std::string> lines = lines_of(summary_csv(data));
+  for (const std::string& line : lines) EXPECT_EQ(std::ranges::count(line, ','), std::ranges::count(lines[0], ','));
+}
+
+TEST(SummaryCsv, QuotesLabelsThatNeedIt) {
+  ReportData data = fixture::make_data();
+  data.problems[0].table.rows[0].label = "a \"hot\", slow start";
+  EXPECT_NE(summary_csv(data).find("\nplate,\"a \"\"hot\"\", slow start\",annealing,true,"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace nodal::report

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a description says, for `nodal list`, the config reference and the editor schema.
+#include <gtest/gtest.h>
+
+#include "registered.h"
+
+namespace nodal::contracts {
+namespace {
+
+// Lower-case words and digits, joined by single separators, a letter first.
+bool is_joined(std::string_view name, std::string_view separators) {
+  bool word_ends = false;
+  for (const char c : name) {
+    const bool separator = separators.find(c) != std::string_view::npos;
+    if (separator ? !word_ends : !(('a' <= c && c <= 'z') || ('0' <= c && c <= '9'))) return false;
+    word_ends = !separator;
+  }
+  return word_ends && 'a' <= name[0] && name[0] <= 'z';
+}
+
+// Names in studies are kebab-case; keys of options may be snake_case.
+bool is_kebab_case(std::string_view name) { return is_joined(name, "-"); }
+bool is_key(std::string_view name) { return is_joined(name, "-_"); }
+
+void check_option(const Option& option, const std::string& owner) {
+  const std::string name = owner + "." + option.name;
+  EXPECT_TRUE(is_key(option.name)) << name;
+  EXPECT_FALSE(option.help.empty()) << name;
+  EXPECT_EQ(option.help.find('\n'), std::string::npos) << name;
+  EXPECT_LE(option.minimum, option.maximum) << name;
+  EXPECT_FALSE(option.required && option.default_value) << name;
+  if (!option.choices.empty()) {
+    EXPECT_EQ(option.type, OptionType::text) << name;
+  }
+  if (!option.fields.empty()) {
+    EXPECT_TRUE(option.type == OptionType::table || option.or_table) << name;
+  }
+  for (const Option& field : option.fields) check_option(field, name);
+}
+
+void check_schema(const OptionSchema& schema, const std::string& owner) {
+  for (const Option& option : schema) {
+    check_option(option, owner);
+    EXPECT_TRUE(option.default_value || option.required || !option.default_text.empty())
+        << owner << "." << option.name << " doesn't say what happens when it is left out";
+  }
+  const Options defaults = resolve_options(schema, Value(), owner);
+  EXPECT_EQ(resolve_options(schema, defaults.values(), owner).values(), defaults.values()) << owner;
+}
+
+TEST(Registrations, OfOptimizersAreComplete) {
+  ASSERT_FALSE(registry().optimizers().empty());
+  for (const OptimizerDescription& optimizer : registry().optimizers()) {
+    EXPECT_TRUE(is_kebab_case(optimizer.name)) << optimizer.name;
+    EXPECT_FALSE(optimizer.summary.empty()) << optimizer.name;
+    EXPECT_FALSE(optimizer.reference.empty()) << optimizer.name;
+    if (optimizer.local) {
+      EXPECT_TRUE(optimizer.uses_start) << optimizer.name << ": a local method starts somewhere";
+    }
+    ASSERT_TRUE(optimizer.make) << optimizer.name;
+    check_schema(optimizer.options, optimizer.name);
+    EXPECT_NE(optimizer.make(resolve_options(optimizer.options, Value(), optimizer.name)), nullptr) << optimizer.name;
+  }
+}
+
+TEST(Registrations, OfProblemsAreComplete) {
+  ASSERT_FALSE(registry().problems().empty());
+  for (const ProblemDescription& problem : registry().problems()) {
+    EXPECT_TRUE(is_kebab_case(problem.kind)) << problem.kind;
+    EXPECT_FALSE(problem.summary.empty()) << problem.kind;
+    EXPECT_FALSE(problem.reference.empty()) << problem.kind;
+    ASSERT_TRUE(problem.make) << problem.kind;
+    check_schema(problem.options, problem.kind);
+  }
+}
+
+TEST(Registrations, OfProblemsLeaveTheStudysOwnKeysAlone) {
+  for (const ProblemDescription& problem : registry().problems())
+    for (const Option& own : problem_entry_schema())
+      EXPECT_EQ(std::ranges::find(problem.options, own.name, &Option::name), problem.options.end())
+          << problem.kind << "." << own.name;
+}
+
+TEST(Registrations, OfWhatIsAbsentSayWhy) {
+  for (const AbsentDescription& absent : registry().absent()) {
+    EXPECT_FALSE(absent.reason.empty()) << absent.name;
+    EXPECT_EQ(registry().find_optimizer(absent.name), nullptr) << absent.name;
+  }
+}
+
+}  // namespace
+}  // namespace nodal::contracts

@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Stores that are damaged, newer, in the way, or on a full disk.
+#include <nodal/store.h>
+
+#include <gtest/gtest.h>
+
+#include <signal.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <limits>
+
+#include "messages.h"
+#include "temporary_directory.h"
+#include "toy_store.h"
+
+namespace nodal {
+namespace {
+
+namespace fs = std::filesystem;
+using toy::files_in;
+using toy::Keys;
+using toy::keys_of;
+using toy::message_of;
+using toy::read;
+using toy::record_of;
+using toy::TemporaryDirectory;
+using toy::toy_study;
+using toy::write;
+
+// While it lives no file grows beyond `bytes`: writing then fails as it does on a full disk.
+class FullDisk {
+ public:
+  explicit FullDisk(rlim_t bytes) : old_handler_(::signal(SIGXFSZ, SIG_IGN)) {
+    ::getrlimit(RLIMIT_FSIZE, &old_limit_);
+    rlimit limit = old_limit_;
+    limit.rlim_cur = bytes;
+    ::setrlimit(RLIMIT_FSIZE, &limit);
+  }
+  ~FullDisk() {
+    ::setrlimit(RLIMIT_FSIZE, &old_limit_);
+    ::signal(SIGXFSZ, old_handler_);
+  }
+  FullDisk(const FullDisk&) = delete;
+  FullDisk& operator=(const FullDisk&) = delete;
+
+ private:
+  void (*old_handler_)(int);
+  rlimit old_limit_{};
+};
+
+TEST(Store, DropsALineThatWasCutOffWhereverThatWas) {
+  const TemporaryDirectory temporary;
+  const fs::path file = temporary.path() / "trials" / "x.jsonl";
+  const std::string whole = to_json_line(record_of("first")) + "\n", last = to_json_line(record_of("last"));
+  std::vector<std::size_t> cuts = {0, 1, last.size() - 1, last.size()};
+  for (std::size_t cut = 2; cut < last.size(); cut += 23) cuts.push_back(cut);
+  for (const std::size_t cut : cuts) {
+    write(file, whole + last.substr(0, cut));
+    const Store store(temporary.path());
+    if (cut == last.size()) {  // only the newline is missing: nothing is lost
+      EXPECT_EQ(keys_of(store), (Keys{"first", "last"}));
+    } else {
+      ASSERT_EQ(keys_of(store), Keys{"first"}) << cut;
+    }
+    if (cut == 0 || cut == last.size()) {
+      EXPECT_TRUE(store.warnings().empty());
+    } else {
+      ASSERT_EQ(store.warnings(),
+                (Keys{file.string() + ":2: a line that is no whole record was dropped; its trial runs again"}));
+    }
+  }
+}
+
+TEST(Store, DropsGarbledLinesAndKeepsTheOthers) {
+  const TemporaryDirectory temporary;
+  const fs::path file = temporary.path() / "trials" / "x.jsonl";
+  std::string nul = to_json_line(record_of("nul"));
+  nul[20] = '\0';
+  write(file, to_json_line(record_of("a")) + "\n{\"schema\": 1}\n\n" + nul + "\n" + to_json_line(record_of("b")) +
+                  "\nnoise\xff\n");
+  const Store store(temporary.path());
+  EXPECT_EQ(keys_of(store), (Keys{"a", "b"}));
+  const std::string dropped = ": a line that is no whole record was dropped; its trial runs again";
+  EXPECT_EQ(store.warnings(),
+            (Keys{file.string() + ":2" + dropped, file.string() + ":4" + dropped, file.string() + ":6" + dropped}));
+}
+
+TEST(Store, AppendsToAStoreWhoseLastLineWasCutOff) {
+  const TemporaryDirectory temporary;
+  write(temporary.path() / "trials" / "x.jsonl", to_json_line(record_of("a")) + "\n{\"schema\":1,\"key\":\"b");
+  {
+    Store store(temporary.path());
+    store.append(record_of("b"));
+  }
+  const Store store(temporary.path());
+  EXPECT_NE(store.find("a"), nullptr);
+  EXPECT_NE(store.find("b"), nullptr);
+  EXPECT_EQ(store.warnings().size(), 1u);
+}
+
+TEST(Store, LeavesANewerSchemaAlone) {
+  const TemporaryDirectory temporary;
+  const fs::path file = temporary.path() / "trials" / "x.jsonl";
+  write(file, to_json_line(record_of("a")) + "\n{\"schema\": 9, \"wonders\": true}\n");
+  EXPECT_EQ(
+      message_of<NewerSchemaError>([&] { Store{temporary.path()}; }),
+      file.string() + ":2: the record has schema 9, this build reads up to 1; use a newer nodal or another directory");
+  fs::remove(file);
+  const fs::path manifest = temporary.path() / "manifest.json";
+  write(manifest, "{\"schema\": 2}");
+  const std::string expected =
+      "'" + manifest.string() + "' has schema 2, this build reads up to 1; use a newer nodal or another directory";
+  EXPECT_EQ(message_of<NewerSchemaError>([&] { Store{temporary.path()}; }), expected);
+  EXPECT_EQ(message_of<NewerSchemaError>([&] { (void)Store::open_existing(temporary.path()); }), expected);
+  EXPECT_EQ(read(manifest), "{\"schema\": 2}");
+}
+
+TEST(Store, RefusesADirectoryThatIsAFile) {
+  const TemporaryDirectory temporary;
+  const fs::path file = temporary.path() / "file";
+  write(file, "mine\n");
+  EXPECT_EQ(message_of<StoreError>([&] { Store{file}; }),
+            "cannot write '" + file.string() + "': Not a directory; what was stored before stays valid");
+  EXPECT_EQ(message_of<StoreError>([&] { Store{file / "below"}; }),
+            "cannot write '" + (file / "below").string() + "': Not a directory; what was stored before stays valid");
+  EXPECT_EQ(read(file), "mine\n");
+}
+
+TEST(Store, RefusesADirectoryThatCannotBeMade) {
+  EXPECT_EQ(message_of<StoreError>([] { Store{"/proc/nodal-test"}; }),
+            "cannot write '/proc/nodal-test': No such file or directory; what was stored before stays valid");
+}
+
+TEST(Store, SaysWhereItCouldNotWrite) {
+  const TemporaryDirectory temporary;
+  Store store(temporary.path());
+  write(temporary.path() / "trials", "in the way");
+  EXPECT_EQ(message_of<StoreError>([&] { store.append(record_of("a")); }),
+            "cannot write '" + (temporary.path() / "trials").string() +
+                "': Not a directory; what was stored before stays valid");
+  EXPECT_TRUE(store.records().empty());
+}
+
+TEST(Store, SaysWhatItCouldNotRead) {
+  const TemporaryDirectory temporary;
+  const fs::path file = temporary.path() / "trials" / "x.jsonl", manifest = temporary.path() / "manifest.json";
+  fs::create_directories(file);
+  EXPECT_EQ(message_of([&] { Store{temporary.path()}; }), "cannot read '" + file.string() + "': Is a directory");
+  fs::create_directories(manifest);
+  EXPECT_EQ(message_of([&] { Store{temporary.path()}; }), "cannot read '" + manifest.string() + "': Is a directory");
+}
+
+TEST(Store, LosesOnlyTheLineThatAFullDiskCutOff) {
+  const TemporaryDirectory temporary;
+  Store store(temporary.path());
+  store.append(record_of("a"));
+  const fs::path file = files_in(temporary.path() / "trials").at(0);
+  const std::string before = read(file);
+  {
+    const FullDisk full(before.size() + 100);
+    EXPECT_EQ(message_of<StoreError>([&] { store.append(record_of("b")); }),
+              "cannot write '" + file.string() + "': File too large; what was stored before stays valid");
+  }
+  EXPECT_EQ(read(file), before);
+  EXPECT_EQ(keys_of(store), Keys{"a"});
+  store.append(record_of("c"));
+  const Store again(temporary.path());
+  EXPECT_EQ(keys_of(again), (Keys{"a", "c"}));
+  EXPECT_TRUE(again.warnings().empty());
+}
+
+TEST(Store, WritesNothingOfARecordThatJsonCannotHold) {
+  const TemporaryDirectory temporary;
+  Store store(temporary.path());
+  TrialRecord record = record_of("a");
+  record.best->summary.cost = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(store.append(record), std::logic_error);
+  EXPECT_TRUE(store.records().empty());
+  store.append(record_of("b"));
+  EXPECT_EQ(keys_of(Store(temporary.path())), Keys{"b"});
+}
+
+TEST(Store, RefusesAManifestThatIsNone) {
+  const TemporaryDirectory temporary;
+  const fs::path manifest = temporary.path() / "manifest.json";
+  for (const char* text : {"{}", "[]", "{\"schema\": \"1\"}"}) {
+    write(manifest, text);
+    EXPECT_EQ(message_of([&] { Store{temporary.path()}; }),
+              "'" + manifest.string() + "' is not the manifest of a store: it has no schema; choose another directory");
+  }
+  write(manifest, "{\n\"schema\":");
+  EXPECT_TRUE(message_of([&] { Store{temporary.path()}; }).starts_with(manifest.string() + ":2: not valid JSON: "));
+}
+
+TEST(Store, TakesAManifestWithDamagedRuns) {
+  for (const char* runs : {"3", "[3]", "[{}]", "[{\"provenance\": 3}]"}) {
+    const TemporaryDirectory temporary;
+    write(temporary.path() / "manifest.json", "{\"schema\": 1, \"runs\": " + std::string(runs) + "}");
+    Store store(temporary.path());
+    store.append(record_of("a"));
+    EXPECT_NO_THROW(store.begin(toy_study())) << runs;
+  }
+}
+
+TEST(Store, KeepsAnOldReportWhenTheNewOneCannotBeWritten) {
+  const TemporaryDirectory temporary;
+  Store store(temporary.path());
+  store.write_file("report.html", "old");
+  const std::string part = (temporary.path() / "report.html").string() + "." + std::to_string(::getpid()) + ".part";
+  {
+    const FullDisk full(5);
+    EXPECT_EQ(message_of<StoreError>([&] { store.write_file("report.html", "new and longer"); }),
+              "cannot write '" + part + "': File too large; what was stored before stays valid");
+    EXPECT_THROW(store.begin(toy_study()), StoreError);
+  }
+  EXPECT_EQ(read(temporary.path() / "report.html"), "old");
+  EXPECT_EQ(files_in(temporary.path()).size(), 1u);  // nothing half-written is left
+  EXPECT_EQ(store.manifest(), Value());
+}
+
+TEST(Store, LeavesNoScrapsWhereADirectoryIsInTheWay) {
+  const TemporaryDirectory temporary;
+  Store store(temporary.path());
+  fs::create_directories(temporary.path() / "report.html" / "x");
+  EXPECT_EQ(message_of<StoreError>([&] { store.write_file("report.html", "new"); }),
+            "cannot write '" + (temporary.path() / "report.html").string() +
+                "': Is a directory; what was stored before stays valid");
+  EXPECT_EQ(files_in(temporary.path()).size(), 1u);
+}
+
+}  // namespace
+}  // namespace nodal
