@@ -50,7 +50,7 @@ class Comparison {
       run_children();
     else
       run_here();
-    result_.interrupted = interrupted();
+    result_.interrupted = interrupted() && done_ < total_;
     return result_;
   }
 
@@ -147,6 +147,8 @@ class Comparison {
   TrialRecord collect(const Running& entry) const {
     if (const std::optional<std::string> death = entry.child->finish())
       return lost_trial(study_, entry.trial, End::crashed, "the trial's process died: " + *death);
+    if (entry.child->output().empty())
+      return lost_trial(study_, entry.trial, End::crashed, "the trial's process ended without a record");
     try {
       return parse_record(entry.child->output(), "trial");
     } catch (const InputError& error) {

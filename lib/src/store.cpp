@@ -46,8 +46,10 @@ void make_directory(const fs::path& path) {
 // An open file, closed by its owner.
 class File {
  public:
-  File(const fs::path& path, int flags) : path_(path), descriptor_(::open(path.c_str(), flags | O_CLOEXEC, 0666)) {
-    if (descriptor_ < 0) refuse_write(path, errno);
+  /// `shown` stands in messages; a temporary file is spoken of by the name that it will have.
+  File(const fs::path& path, int flags, const fs::path& shown)
+      : path_(shown), descriptor_(::open(path.c_str(), flags | O_CLOEXEC, 0666)) {
+    if (descriptor_ < 0) refuse_write(path_, errno);
   }
   ~File() { ::close(descriptor_); }
   File(const File&) = delete;
@@ -92,7 +94,7 @@ std::string read_text(const fs::path& path) {
 void write_atomically(const fs::path& path, std::string_view content) {
   const fs::path temporary = fmt::format("{}.{}.part", path.string(), ::getpid());
   try {
-    File file(temporary, O_WRONLY | O_CREAT | O_TRUNC);
+    File file(temporary, O_WRONLY | O_CREAT | O_TRUNC, path);
     file.write(content);
     file.flush();
     if (::rename(temporary.c_str(), path.c_str()) != 0) refuse_write(path, errno);
@@ -302,7 +304,8 @@ void Store::begin(const Study& study) {
 void Store::append(const TrialRecord& record) {
   if (!state_->out) {
     make_directory(state_->directory / "trials");
-    state_->out = std::make_unique<File>(state_->directory / "trials" / writer_name(), O_WRONLY | O_CREAT | O_APPEND);
+    const fs::path path = state_->directory / "trials" / writer_name();
+    state_->out = std::make_unique<File>(path, O_WRONLY | O_CREAT | O_APPEND, path);
   }
   const off_t before = state_->out->size();
   try {

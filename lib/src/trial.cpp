@@ -253,6 +253,9 @@ TrialRecord run_trial(const Study& study, const Trial& trial, const Registry& re
   } catch (const std::exception& error) {  // of the problem itself, before or after the search
     record.end = End::failed;
     record.reason = error.what();
+  } catch (...) {
+    record.end = End::failed;
+    record.reason = "an exception that is no std::exception";
   }
   return record;
 }

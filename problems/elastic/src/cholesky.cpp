@@ -87,8 +87,7 @@ cholmod_sparse view(std::size_t n, std::vector<int>& begins, std::vector<int>& r
 // Compresses (row, column) pairs, sorted and without repetition.
 void compress(std::size_t n, std::vector<std::pair<int, int>>& by_column, std::vector<int>& begins, std::vector<int>& rows) {
   std::ranges::sort(by_column);
-  const auto repeated = std::ranges::unique(by_column);
-  by_column.erase(repeated.begin(), repeated.end());
+  by_column.erase(std::unique(by_column.begin(), by_column.end()), by_column.end());
   begins.assign(n + 1, 0);
   rows.clear();
   for (const auto& [column, row] : by_column) {
