@@ -128,6 +128,22 @@ TEST(Fit, SaysWhichMethodItChoseAndWhy) {
   EXPECT_EQ(parse_json(fit.out, "stdout").at("springs").list().size(), 20u);
 }
 
+// The default study runs in every build, and says what it has to leave out and how to get it.
+TEST(DefaultStudy, RunsWithWhatThisBuildHas) {
+  const Folder folder;
+  const Output output = run(folder, {"compare", NODAL_SOURCE_DIR "/bench/scenes/plate.toml", "--repeats", "1", "--evaluations", "50"});
+  EXPECT_EQ(output.exit, 0) << output.err;
+  EXPECT_TRUE(contains(output.out, "annealing (baseline)") && contains(output.out, "random-search")) << output.out;
+  const std::string no_nlopt = "left out: 'nlopt-direct-l': this build has no NLopt: install libnlopt-dev and libnlopt-cxx-dev and "
+                               "configure with -DNODAL_NLOPT=ON\n";
+  const std::string no_ceres = "left out: 'ceres-dogleg': this build has no Ceres: install libceres-dev and configure with "
+                               "-DNODAL_CERES=ON\n";
+  EXPECT_EQ(contains(output.err, no_nlopt), !NODAL_HAVE_NLOPT) << output.err;
+  EXPECT_EQ(contains(output.err, no_ceres), !NODAL_HAVE_CERES) << output.err;
+  EXPECT_EQ(contains(output.out, "nlopt-crs2-lm"), static_cast<bool>(NODAL_HAVE_NLOPT)) << output.out;
+  EXPECT_EQ(contains(output.out, "ceres-levenberg-marquardt"), static_cast<bool>(NODAL_HAVE_CERES)) << output.out;
+}
+
 TEST(Explain, ListsStagesUsedAndLeftOutAndTheTrials) {
   const Folder folder;
   folder.write("quick.toml", kQuickStudy);
