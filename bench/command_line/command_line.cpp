@@ -26,11 +26,13 @@ std::string version_text() {
 
 void describe(CLI::App& app) {
   app.description("Compares optimizers on fitting spring/mass systems to elastic bodies.");
-  app.footer("Start with: nodal compare bench/scenes/plate.toml\n"
-             "Exit codes: 0 done, 1 a trial failed, 2 bad input or usage, 130 interrupted.");
+  app.footer(
+      "Start with: nodal compare bench/scenes/plate.toml\n"
+      "Exit codes: 0 done, 1 a trial failed, 2 bad input or usage, 130 interrupted.");
   app.require_subcommand(1);
   app.set_help_all_flag("--help-all", "Help of all commands");
-  app.add_flag_callback("--version", [] { throw CLI::CallForVersion(version_text(), 0); }, "Revision and library versions");
+  app.add_flag_callback(
+      "--version", [] { throw CLI::CallForVersion(version_text(), 0); }, "Revision and library versions");
 }
 
 }  // namespace

@@ -54,8 +54,9 @@ int compare_command(const CompareArguments& arguments, const Registry& registry)
   const CompareResult result = run(study, registry, store, arguments.jobs);
   for (const std::string& warning : store.warnings()) std::cerr << "warning: " << warning << '\n';
   if (result.interrupted) {
-    std::cerr << fmt::format("interrupted: {} trials of this run are stored in '{}'; the same command goes on from there\n",
-                             result.ran, directory);
+    std::cerr << fmt::format(
+        "interrupted: {} trials of this run are stored in '{}'; the same command goes on from there\n", result.ran,
+        directory);
     return kExitInterrupted;
   }
   std::vector<Store> stores;
@@ -67,15 +68,20 @@ int compare_command(const CompareArguments& arguments, const Registry& registry)
 }  // namespace
 
 void add_compare(CLI::App& app, Program& program) {
-  CLI::App* command = app.add_subcommand("compare", "Run what the store lacks of a study, print the table, write the report");
+  CLI::App* command =
+      app.add_subcommand("compare", "Run what the store lacks of a study, print the table, write the report");
   const auto arguments = std::make_shared<CompareArguments>();
   add_study_path(*command, arguments->study);
-  command->add_option("--out", arguments->out, "Where results are stored (default: results/<name of the study>)")->type_name("DIR");
+  command->add_option("--out", arguments->out, "Where results are stored (default: results/<name of the study>)")
+      ->type_name("DIR");
   command->add_option("--only", arguments->overrides.only, "Only the optimizers with these labels, separated by commas")
-      ->delimiter(',')->type_name("LABEL,…");
-  command->add_option("--repeats", arguments->overrides.repeats, "Repeats, instead of the study's")->check(above_zero());
+      ->delimiter(',')
+      ->type_name("LABEL,…");
+  command->add_option("--repeats", arguments->overrides.repeats, "Repeats, instead of the study's")
+      ->check(above_zero());
   add_budget_options(*command, arguments->overrides);
-  command->add_option("--jobs", arguments->jobs, "Trials at once; times stay clean with 1 (default)")->check(above_zero());
+  command->add_option("--jobs", arguments->jobs, "Trials at once; times stay clean with 1 (default)")
+      ->check(above_zero());
   command->callback([arguments, &program] { program.exit = compare_command(*arguments, program.registry); });
 }
 

@@ -72,13 +72,15 @@ Value state_json(const std::string& label, const elastic::ElasticProblem& proble
 }
 
 std::string state_text(const std::string& label, const elastic::ElasticProblem& problem, const elastic::State& state) {
-  std::string text = fmt::format("{}: {} nodes, {} springs\n", label, problem.net().nodes.size(), problem.net().springs.size());
+  std::string text =
+      fmt::format("{}: {} nodes, {} springs\n", label, problem.net().nodes.size(), problem.net().springs.size());
   text += fmt::format("relative error {:.6g}, G {:.10g}, k_max/k_min {:.4g}\n", state.relative_error, state.quality,
                       state.health.spread.value_or(1.0));
   if (state.health.error_estimate && state.health.residual)
     text += fmt::format("accuracy: first refinement step {:.1e}, backward error {:.1e}\n", *state.health.error_estimate,
                         *state.health.residual);
-  text += fmt::format("\n{:<12} {:>14} {:>24} {:>26}\n", "load", "G", "largest displacement [m]", "largest bearing force [N]");
+  text += fmt::format("\n{:<12} {:>14} {:>24} {:>26}\n", "load", "G", "largest displacement [m]",
+                      "largest bearing force [N]");
   for (const elastic::LoadState& load : state.loads)
     text += fmt::format("{:<12} {:>14.6g} {:>24.6g} {:>26.6g}\n", load.name, load.quality, largest(load.displacement),
                         largest(load.bearing));

@@ -30,11 +30,14 @@ void explain_problem(const StudyProblem& entry) {
   const Evaluation start = problem.make_evaluator()->audit(problem.space().start());
   if (start.ok())
     std::cout << fmt::format("  at the start: quality {:.10g}{}\n", problem.quality(start.cost),
-                             problem.relative_error(start.cost) ? fmt::format(", relative error {:.6g}", *problem.relative_error(start.cost)) : "");
+                             problem.relative_error(start.cost)
+                                 ? fmt::format(", relative error {:.6g}", *problem.relative_error(start.cost))
+                                 : "");
   else
     std::cout << fmt::format("  at the start: {}\n", to_string(start.status));
   if (entry.best_known)
-    std::cout << fmt::format("  best known: quality {:.10g} ({})\n", entry.best_known->quality, entry.best_known->origin);
+    std::cout << fmt::format("  best known: quality {:.10g} ({})\n", entry.best_known->quality,
+                             entry.best_known->origin);
   for (const std::string& remark : problem.remarks()) std::cout << "  note: " << remark << '\n';
   std::cout << '\n';
 }
@@ -52,17 +55,21 @@ void explain_trials(const Study& study, bool each) {
   const std::vector<Trial> trials = all_trials(study);
   std::cout << fmt::format("{} trials; each ends after {}\n", trials.size(), budget_text(study.budget));
   if (study.budget.seconds)
-    std::cout << fmt::format("at most {:.0f} s with one job\n", *study.budget.seconds * static_cast<double>(trials.size()));
+    std::cout << fmt::format("at most {:.0f} s with one job\n",
+                             *study.budget.seconds * static_cast<double>(trials.size()));
   for (std::size_t o = 0; o < study.optimizers.size(); ++o) {
     const StudyOptimizer& optimizer = study.optimizers[o];
     const auto own = std::ranges::count(trials, o, &Trial::optimizer);
-    std::cout << fmt::format("  {:>3} × {}{}{}{}\n", own, optimizer.label,
-                             optimizer.label == optimizer.use ? "" : " (" + optimizer.use + ")",
-                             optimizer.baseline ? ", the baseline" : "",
-                             optimizer.deterministic && study.starts == Starts::initial ? ", deterministic: repeated for its time only" : "");
-    if (!optimizer.options.values().table().empty()) std::cout << "        " << to_json(optimizer.options.values()) << '\n';
+    std::cout << fmt::format(
+        "  {:>3} × {}{}{}{}\n", own, optimizer.label,
+        optimizer.label == optimizer.use ? "" : " (" + optimizer.use + ")", optimizer.baseline ? ", the baseline" : "",
+        optimizer.deterministic && study.starts == Starts::initial ? ", deterministic: repeated for its time only"
+                                                                   : "");
+    if (!optimizer.options.values().table().empty())
+      std::cout << "        " << to_json(optimizer.options.values()) << '\n';
   }
-  for (const LeftOut& left_out : study.left_out) std::cout << fmt::format("  left out: {}: {}\n", left_out.label, left_out.reason);
+  for (const LeftOut& left_out : study.left_out)
+    std::cout << fmt::format("  left out: {}: {}\n", left_out.label, left_out.reason);
   if (!each) return;
   std::cout << "\nkey                               problem, optimizer, repeat\n";
   for (const Trial& trial : trials)
@@ -73,11 +80,13 @@ void explain_trials(const Study& study, bool each) {
 }  // namespace
 
 void add_explain(CLI::App& app, Program& program) {
-  CLI::App* command = app.add_subcommand("explain", "What a study uses and leaves out, sizes, start, limits, its trials; runs nothing");
+  CLI::App* command =
+      app.add_subcommand("explain", "What a study uses and leaves out, sizes, start, limits, its trials; runs nothing");
   const auto arguments = std::make_shared<ExplainArguments>();
   add_study_path(*command, arguments->study);
   command->add_flag("--trials", arguments->trials, "Every trial with its key");
-  command->add_option("--repeats", arguments->overrides.repeats, "Repeats, instead of the study's")->check(above_zero());
+  command->add_option("--repeats", arguments->overrides.repeats, "Repeats, instead of the study's")
+      ->check(above_zero());
   add_budget_options(*command, arguments->overrides);
   command->callback([arguments, &program] {
     const Study study = read_study(arguments->study, program.registry, arguments->overrides);

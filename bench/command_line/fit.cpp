@@ -48,12 +48,16 @@ Choice choose(const Problem& problem, const Registry& registry) {
     bool suits;
     std::string why;
   };
-  const double jacobian = 8.0 * static_cast<double>(problem.residual_count()) * static_cast<double>(problem.space().size());
+  const double jacobian =
+      8.0 * static_cast<double>(problem.residual_count()) * static_cast<double>(problem.space().size());
   const bool small = problem.abilities().residuals && jacobian <= kMostJacobianBytes;
   const std::vector<Candidate> candidates = {
-      {"ceres-levenberg-marquardt", small, fmt::format("least squares with a dense Jacobian of {:.1f} MiB", jacobian / 1048576.0)},
-      {"nlopt-lbfgs", problem.abilities().gradient, "gradients cost little, and the memory needed grows with the coordinates only"},
-      {"ceres-lbfgs", problem.abilities().gradient, "gradients cost little, and the memory needed grows with the coordinates only"},
+      {"ceres-levenberg-marquardt", small,
+       fmt::format("least squares with a dense Jacobian of {:.1f} MiB", jacobian / 1048576.0)},
+      {"nlopt-lbfgs", problem.abilities().gradient,
+       "gradients cost little, and the memory needed grows with the coordinates only"},
+      {"ceres-lbfgs", problem.abilities().gradient,
+       "gradients cost little, and the memory needed grows with the coordinates only"},
       {"annealing", true, "it needs nothing but values"},
       {"random-search", true, "it needs nothing but values"},
   };
@@ -68,21 +72,23 @@ Choice choose(const Problem& problem, const Registry& registry) {
 Choice named(const std::string& name, const Study& study, const Registry& registry) {
   for (const StudyOptimizer& optimizer : study.optimizers)
     if (optimizer.label == name) return {optimizer, "the study's entry of that label"};
-  if (const OptimizerDescription* description = registry.find_optimizer(name)) return {with_defaults(*description), "with its defaults"};
+  if (const OptimizerDescription* description = registry.find_optimizer(name))
+    return {with_defaults(*description), "with its defaults"};
   if (const AbsentDescription* absent = registry.find_absent(name))
     throw InputError(Source{"--with", 0}, fmt::format("optimizer '{}' is not in this build: {}", name, absent->reason));
   std::vector<std::string> names;
   for (const StudyOptimizer& optimizer : study.optimizers) names.push_back(optimizer.label);
   for (const OptimizerDescription& description : registry.optimizers())
     if (std::ranges::find(names, description.name) == names.end()) names.push_back(description.name);
-  throw InputError(Source{"--with", 0}, fmt::format("'{}' is neither a label of the study nor an optimizer{}", name, name_hint(name, names)));
+  throw InputError(Source{"--with", 0}, fmt::format("'{}' is neither a label of the study nor an optimizer{}", name,
+                                                    name_hint(name, names)));
 }
 
 void refuse_what_it_lacks(const Problem& problem, const StudyOptimizer& optimizer, const Registry& registry) {
   const std::vector<std::string> missing = problem.abilities().missing(registry.find_optimizer(optimizer.use)->needs);
   if (!missing.empty())
-    throw InputError(Source{"--with", 0}, fmt::format("optimizer '{}' needs {}, which the problem can't give", optimizer.label,
-                                                      fmt::join(missing, " and ")));
+    throw InputError(Source{"--with", 0}, fmt::format("optimizer '{}' needs {}, which the problem can't give",
+                                                      optimizer.label, fmt::join(missing, " and ")));
 }
 
 std::string fitted_json(const Problem& problem, const std::vector<double>& x) {
@@ -102,17 +108,21 @@ void write_export(const std::string& path, const std::string& text) {
 // Before a long fit, not after it.
 void refuse_unwritable(const std::string& path) {
   std::ofstream out(path, std::ios::binary | std::ios::app);
-  if (!out) throw InputError(Source{"--export", 0}, fmt::format("cannot write '{}'; give a file in a folder that exists and may be written", path));
+  if (!out)
+    throw InputError(Source{"--export", 0},
+                     fmt::format("cannot write '{}'; give a file in a folder that exists and may be written", path));
 }
 
 int fit_command(const FitArguments& arguments, const Registry& registry) {
   Study study = read_study(arguments.study, registry, arguments.overrides);
   const std::size_t problem_index = find_problem(study, arguments.problem);
   const StudyProblem& entry = study.problems[problem_index];
-  const Choice choice = arguments.with.empty() ? choose(*entry.problem, registry) : named(arguments.with, study, registry);
+  const Choice choice =
+      arguments.with.empty() ? choose(*entry.problem, registry) : named(arguments.with, study, registry);
   refuse_what_it_lacks(*entry.problem, choice.optimizer, registry);
   if (!arguments.out.empty()) refuse_unwritable(arguments.out);
-  std::cerr << fmt::format("{} ({} coordinates) with {}: {}\n", entry.label, entry.problem->space().size(), choice.optimizer.label, choice.why);
+  std::cerr << fmt::format("{} ({} coordinates) with {}: {}\n", entry.label, entry.problem->space().size(),
+                           choice.optimizer.label, choice.why);
 
   study.optimizers = {choice.optimizer};
   if (!study.budget.seconds && !study.budget.evaluations) study.budget.seconds = kDefaultSeconds;
@@ -132,11 +142,13 @@ int fit_command(const FitArguments& arguments, const Registry& registry) {
 }  // namespace
 
 void add_fit(CLI::App& app, Program& program) {
-  CLI::App* command = app.add_subcommand("fit", "One run, by default with the method that suits the problem; writes the fitted system");
+  CLI::App* command =
+      app.add_subcommand("fit", "One run, by default with the method that suits the problem; writes the fitted system");
   const auto arguments = std::make_shared<FitArguments>();
   add_study_path(*command, arguments->study);
   command->add_option("--problem", arguments->problem, "Which problem, where a study has several")->type_name("LABEL");
-  command->add_option("--with", arguments->with, "A label of the study, or any optimizer with its defaults")->type_name("NAME");
+  command->add_option("--with", arguments->with, "A label of the study, or any optimizer with its defaults")
+      ->type_name("NAME");
   command->add_option("--export", arguments->out, "Where the stiffness file goes (default: stdout)")->type_name("FILE");
   add_budget_options(*command, arguments->overrides);
   command->callback([arguments, &program] { program.exit = fit_command(*arguments, program.registry); });

@@ -40,14 +40,16 @@ void list_options(const OptionSchema& options, const std::string& indent) {
 }
 
 void list_absent(const Registry& registry) {
-  for (const AbsentDescription& absent : registry.absent()) std::cout << fmt::format("{}: not here: {}\n\n", absent.name, absent.reason);
+  for (const AbsentDescription& absent : registry.absent())
+    std::cout << fmt::format("{}: not here: {}\n\n", absent.name, absent.reason);
 }
 
 void list_optimizers(const Registry& registry) {
   for (const OptimizerDescription& o : registry.optimizers()) {
     std::cout << fmt::format("{}: {}\n", o.name, o.summary);
     const std::vector<std::string> needs = o.needs.names();
-    std::cout << fmt::format("  needs: {}; {}; {}{}\n", needs.empty() ? "values" : fmt::format("{}", fmt::join(needs, ", ")),
+    std::cout << fmt::format("  needs: {}; {}; {}{}\n",
+                             needs.empty() ? "values" : fmt::format("{}", fmt::join(needs, ", ")),
                              o.local ? "local" : "global", o.deterministic ? "deterministic" : "random",
                              o.uses_start ? "" : "; doesn't use the start");
     if (!o.reference.empty()) std::cout << "  reference: " << o.reference << '\n';
@@ -68,7 +70,8 @@ void list_problems(const Registry& registry) {
 
 void list_topologies() {
   for (const elastic::Topology& topology : elastic::topologies())
-    std::cout << fmt::format("{}: {}{}\n", topology.name, topology.summary, topology.mechanism ? " (a mechanism: refused)" : "");
+    std::cout << fmt::format("{}: {}{}\n", topology.name, topology.summary,
+                             topology.mechanism ? " (a mechanism: refused)" : "");
 }
 
 // The first comment of a study says what it is.

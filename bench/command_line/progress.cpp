@@ -56,7 +56,8 @@ std::string Progress::time_left(std::size_t done, std::size_t total) const {
   const double spent = std::chrono::duration<double>(std::chrono::steady_clock::now() - began_).count();
   const double left = spent / static_cast<double>(done - stored_) * static_cast<double>(total - done);
   const auto seconds = static_cast<long>(left + 0.5);
-  return seconds < 60 ? fmt::format("{} s left", seconds) : fmt::format("{} min {:02} s left", seconds / 60, seconds % 60);
+  return seconds < 60 ? fmt::format("{} s left", seconds)
+                      : fmt::format("{} min {:02} s left", seconds / 60, seconds % 60);
 }
 
 std::string trial_line(const TrialRecord& record) {

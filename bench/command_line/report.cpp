@@ -39,7 +39,9 @@ int report_command(const ReportArguments& arguments, const Registry& registry) {
 void add_report(CLI::App& app, Program& program) {
   CLI::App* command = app.add_subcommand("report", "Make table, summary.csv and report.html again from stored trials");
   const auto arguments = std::make_shared<ReportArguments>();
-  command->add_option("stores", arguments->directories, "Directories that nodal compare wrote")->required()->type_name("DIR…");
+  command->add_option("stores", arguments->directories, "Directories that nodal compare wrote")
+      ->required()
+      ->type_name("DIR…");
   command->add_option("--out", arguments->out, "Where the files go (default: into the one store)")->type_name("DIR");
   command->callback([arguments, &program] { program.exit = report_command(*arguments, program.registry); });
 }

@@ -14,7 +14,7 @@ extern "C" void ask_to_stop(int) { stop_asked.store(true); }
 
 StopSignal::StopSignal() {
   stop_asked = false;
-  struct sigaction action{};
+  struct sigaction action {};
   action.sa_handler = ask_to_stop;
   sigaction(SIGINT, &action, &former_interrupt_);
   sigaction(SIGTERM, &action, &former_terminate_);

@@ -19,7 +19,8 @@ class StopSignal {
   [[nodiscard]] const std::atomic<bool>& flag() const noexcept;
 
  private:
-  struct sigaction former_interrupt_{}, former_terminate_{};
+  struct sigaction former_interrupt_ {
+  }, former_terminate_{};
 };
 
 }  // namespace nodal

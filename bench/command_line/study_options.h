@@ -15,7 +15,8 @@ namespace nodal {
 
 /// --seconds, --evaluations, --seed: checked here, so that a message names the option.
 inline void add_budget_options(CLI::App& command, StudyOverrides& overrides) {
-  command.add_option("--seconds", overrides.seconds, "Wall time per trial [s], instead of the study's")->check(above_zero());
+  command.add_option("--seconds", overrides.seconds, "Wall time per trial [s], instead of the study's")
+      ->check(above_zero());
   command.add_option("--evaluations", overrides.evaluations, "Evaluations per trial, instead of the study's")
       ->check(above_zero());
   command.add_option("--seed", overrides.seed, "Seed, instead of the study's");

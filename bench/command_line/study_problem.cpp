@@ -13,10 +13,12 @@ std::size_t find_problem(const Study& study, const std::string& label) {
   for (const StudyProblem& problem : study.problems) labels.push_back(problem.label);
   if (label.empty())
     throw InputError(Source{study.path.string(), 0},
-                     fmt::format("the study has {} problems; choose one with --problem LABEL{}", labels.size(), name_hint("", labels)));
+                     fmt::format("the study has {} problems; choose one with --problem LABEL{}", labels.size(),
+                                 name_hint("", labels)));
   const auto found = std::ranges::find(labels, label);
   if (found == labels.end())
-    throw InputError(Source{"--problem", 0}, fmt::format("no problem of the study is labelled '{}'{}", label, name_hint(label, labels)));
+    throw InputError(Source{"--problem", 0},
+                     fmt::format("no problem of the study is labelled '{}'{}", label, name_hint(label, labels)));
   return static_cast<std::size_t>(found - labels.begin());
 }
 

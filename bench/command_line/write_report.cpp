@@ -18,12 +18,13 @@ namespace nodal {
 
 namespace {
 
-constexpr std::size_t kPlainWidth = 160;   // where stdout is no terminal
+constexpr std::size_t kPlainWidth = 160;         // where stdout is no terminal
 constexpr std::size_t kMostPlateSprings = 4000;  // a picture of more is grey, and the page grows by megabytes
 
 std::size_t table_width() {
   winsize size{};
-  if (::isatty(STDOUT_FILENO) == 1 && ::ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0) return size.ws_col;
+  if (::isatty(STDOUT_FILENO) == 1 && ::ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0)
+    return size.ws_col;
   return kPlainWidth;
 }
 
@@ -39,10 +40,10 @@ void add_plates(const Study& study, report::ReportData& data) {
   for (const StudyProblem& problem : study.problems) {
     const auto* elastic = dynamic_cast<const elastic::ElasticProblem*>(problem.problem.get());
     if (!elastic || elastic->net().springs.size() > kMostPlateSprings) continue;
-    const bool drawn = std::ranges::any_of(data.plates, [&](const report::Plate& p) { return p.problem == problem.label; });
-    const auto own = std::ranges::find_if(data.problems, [&](const report::ProblemReport& p) {
-      return p.table.reference.label == problem.label;
-    });
+    const bool drawn =
+        std::ranges::any_of(data.plates, [&](const report::Plate& p) { return p.problem == problem.label; });
+    const auto own = std::ranges::find_if(
+        data.problems, [&](const report::ProblemReport& p) { return p.table.reference.label == problem.label; });
     if (drawn || own == data.problems.end()) continue;
     for (report::Plate& plate : report::make_plates(*elastic, *own)) data.plates.push_back(std::move(plate));
   }

@@ -10,8 +10,8 @@
 
 namespace nodal {
 
-/// `target` is the store that gets the files: one of `stores`, or another. The studies' problems are built again for the
-/// pictures; where that fails, the report goes without them and says so.
+/// `target` is the store that gets the files: one of `stores`, or another. The studies' problems are built again for
+/// the pictures; where that fails, the report goes without them and says so.
 void write_report(std::span<const Store> stores, const Registry& registry, Store& target);
 
 }  // namespace nodal

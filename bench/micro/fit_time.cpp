@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// From the `paper` start to the best fit known, by Levenberg-Marquardt: milliseconds and evaluations, evaluator included.
+// From the `paper` start to the best fit known, by Levenberg-Marquardt: milliseconds and evaluations, evaluator
+// included.
 #include <nodal/optimizer.h>
 #include <nodal/registry.h>
 

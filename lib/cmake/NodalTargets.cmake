@@ -84,6 +84,7 @@ void register_components(Registry& registry);
   nodal_set_defaults(nodal_components)
   target_sources(nodal_components PUBLIC FILE_SET HEADERS BASE_DIRS "${generated}/include"
                                          FILES "${generated}/include/nodal/components.h")
+  set_target_properties(nodal_components PROPERTIES VERIFY_INTERFACE_HEADER_SETS ON)
   target_link_libraries(nodal_components PUBLIC nodal::nodal PRIVATE ${libraries})
   set_property(GLOBAL APPEND PROPERTY NODAL_INSTALLED_TARGETS nodal_components)
 endfunction()

@@ -43,10 +43,14 @@ double work_at(const TrialRecord& record, std::int64_t evaluation, std::int64_t 
     return whole > 0 ? static_cast<double>(part) / static_cast<double>(whole) : 1.0;
   };
   // One more than the counted evaluations: the start's.
-  const double flops = record.work.factorization_flops * share(factorizations, record.work.factorizations) +
-                       (record.work.flops - record.work.factorization_flops) * share(evaluation + 1, record.counts.evaluations + 1);
+  const double flops =
+      record.work.factorization_flops * share(factorizations, record.work.factorizations) +
+      (record.work.flops - record.work.factorization_flops) * share(evaluation + 1, record.counts.evaluations + 1);
   return flops / record.flops_per_value;
 }
+
+// A trial whose process was killed or died left no figures: it counts as failed, not as one that took no time.
+bool has_figures(const TrialRecord& record) { return record.end != End::timeout && record.end != End::crashed; }
 
 template <class Get>
 std::optional<Quartiles> quartiles_of(std::span<const TrialRecord* const> trials, Get get) {
@@ -98,11 +102,13 @@ OptimizerRow make_row(const RowRequest& request, std::span<const TrialRecord* co
       ++row.failed;
       if (std::ranges::find(row.reasons, trial->reason) == row.reasons.end()) row.reasons.push_back(trial->reason);
     }
-  const auto best = [](std::optional<double> PointSummary::* member) {
+  const auto best = [](std::optional<double> PointSummary::*member) {
     return [member](const TrialRecord& t) { return t.best ? t.best->summary.*member : std::nullopt; };
   };
   const auto count = [](auto member) {
-    return [member](const TrialRecord& t) { return std::optional(static_cast<double>(member(t))); };
+    return [member](const TrialRecord& t) {
+      return has_figures(t) ? std::optional(static_cast<double>(member(t))) : std::nullopt;
+    };
   };
   row.quality = quartiles_of(trials, best(&PointSummary::quality));
   row.relative_error = quartiles_of(trials, best(&PointSummary::relative_error));
@@ -110,7 +116,8 @@ OptimizerRow make_row(const RowRequest& request, std::span<const TrialRecord* co
   row.factorizations = quartiles_of(trials, count([](const TrialRecord& t) { return t.work.factorizations; }));
   row.seconds = quartiles_of(trials, count([](const TrialRecord& t) { return t.seconds.total; }));
   row.work = quartiles_of(trials, count([](const TrialRecord& t) { return end_position(t, Axis::work); }));
-  for (std::size_t i = 0; i < kTargetGaps.size(); ++i) row.targets[i] = target_row(trials, best_quality, kTargetGaps[i]);
+  for (std::size_t i = 0; i < kTargetGaps.size(); ++i)
+    row.targets[i] = target_row(trials, best_quality, kTargetGaps[i]);
   return row;
 }
 
@@ -129,9 +136,12 @@ void set_multiples(std::vector<OptimizerRow>& rows) {
 
 std::string_view to_string(Axis axis) noexcept {
   switch (axis) {
-    case Axis::seconds: return "seconds";
-    case Axis::evaluations: return "evaluations";
-    case Axis::work: return "work";
+    case Axis::seconds:
+      return "seconds";
+    case Axis::evaluations:
+      return "evaluations";
+    case Axis::work:
+      return "work";
   }
   return "";
 }
@@ -150,25 +160,32 @@ const TargetRow& OptimizerRow::target(double gap) const {
 
 double position(const TrialRecord& record, const TracePoint& point, Axis axis) {
   switch (axis) {
-    case Axis::seconds: return point.seconds;
-    case Axis::evaluations: return static_cast<double>(point.evaluation);
-    case Axis::work: return work_at(record, point.evaluation, point.factorizations);
+    case Axis::seconds:
+      return point.seconds;
+    case Axis::evaluations:
+      return static_cast<double>(point.evaluation);
+    case Axis::work:
+      return work_at(record, point.evaluation, point.factorizations);
   }
   return 0.0;
 }
 
 double end_position(const TrialRecord& record, Axis axis) {
   switch (axis) {
-    case Axis::seconds: return record.seconds.total;
-    case Axis::evaluations: return static_cast<double>(record.counts.evaluations);
-    case Axis::work: return work_at(record, record.counts.evaluations, record.work.factorizations);
+    case Axis::seconds:
+      return record.seconds.total;
+    case Axis::evaluations:
+      return static_cast<double>(record.counts.evaluations);
+    case Axis::work:
+      return work_at(record, record.counts.evaluations, record.work.factorizations);
   }
   return 0.0;
 }
 
 std::optional<double> first_reached(const TrialRecord& record, double quality, Axis axis) {
   // Qualities of a trace fall strictly, so the first point at or below the target is found by bisection.
-  const auto found = std::ranges::partition_point(record.trace, [quality](const TracePoint& p) { return p.quality > quality; });
+  const auto found =
+      std::ranges::partition_point(record.trace, [quality](const TracePoint& p) { return p.quality > quality; });
   if (found == record.trace.end()) return std::nullopt;
   return position(record, *found, axis);
 }
@@ -189,7 +206,8 @@ ProblemTable make_table(const std::string& problem_label, std::optional<KnownOpt
     }
   for (const RowRequest& request : optimizers) {
     std::vector<const TrialRecord*> own;
-    std::ranges::copy_if(trials, std::back_inserter(own), [&](const TrialRecord* t) { return t->optimizer == request.label; });
+    std::ranges::copy_if(trials, std::back_inserter(own),
+                         [&](const TrialRecord* t) { return t->optimizer == request.label; });
     table.rows.push_back(make_row(request, own, table.reference.best_quality));
   }
   set_multiples(table.rows);

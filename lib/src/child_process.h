@@ -6,11 +6,11 @@
 /// The child ignores SIGINT (the parent decides what becomes of it), dies with its parent, and leaves by _exit.
 /// Threads  fork copies the calling thread only: call from a process without other threads.
 
+#include <sys/types.h>
 #include <chrono>
 #include <functional>
 #include <optional>
 #include <string>
-#include <sys/types.h>
 
 namespace nodal {
 
@@ -30,7 +30,8 @@ class ChildProcess {
   [[nodiscard]] Clock::time_point deadline() const noexcept { return deadline_; }
   /// Reads what is there. True once the child has closed its end; then call `finish`.
   [[nodiscard]] bool read_more();
-  /// Waits for the end. Empty when it ended well and `output()` is whole; else how it died, e.g. "signal 11 (Segmentation fault)".
+  /// Waits for the end. Empty when it ended well and `output()` is whole; else how it died, e.g. "signal 11
+  /// (Segmentation fault)".
   [[nodiscard]] std::optional<std::string> finish();
   [[nodiscard]] const std::string& output() const noexcept { return output_; }
   void kill() noexcept;

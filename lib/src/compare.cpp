@@ -139,9 +139,9 @@ class Comparison {
   TrialRecord hung(const Running& entry) const {
     entry.child->kill();
     (void)entry.child->finish();
-    return lost_trial(study_, entry.trial, End::timeout,
-                      fmt::format("killed after {:g} s: it did not stop by itself",
-                                  seconds_allowed(study_, options_.grace_seconds)));
+    return lost_trial(
+        study_, entry.trial, End::timeout,
+        fmt::format("killed after {:g} s: it did not stop by itself", seconds_allowed(study_, options_.grace_seconds)));
   }
 
   TrialRecord collect(const Running& entry) const {
@@ -152,7 +152,8 @@ class Comparison {
     try {
       return parse_record(entry.child->output(), "trial");
     } catch (const InputError& error) {
-      return lost_trial(study_, entry.trial, End::crashed, fmt::format("the trial's process sent no record: {}", error.what()));
+      return lost_trial(study_, entry.trial, End::crashed,
+                        fmt::format("the trial's process sent no record: {}", error.what()));
     }
   }
 
@@ -172,7 +173,8 @@ class Comparison {
 void require_comparable(const Study& study) {
   const Source file{study.path.string(), 0};
   if (study.optimizers.empty())
-    throw InputError(file, "the study has no optimizer to compare; add an [[optimizer]] table, e.g. use = \"annealing\"");
+    throw InputError(file,
+                     "the study has no optimizer to compare; add an [[optimizer]] table, e.g. use = \"annealing\"");
   if (!study.budget.seconds && !study.budget.evaluations)
     throw InputError(file, "the study sets no budget; give [budget] seconds or evaluations");
 }

@@ -47,7 +47,8 @@ std::vector<std::string> nearest_names(std::string_view wrong, std::span<const s
   for (const std::string& name : valid) {
     const std::size_t distance = edit_distance(wrong, name);
     const bool completed = wrong.size() >= 3 && name.find(wrong) != std::string::npos;  // "lbfgs" for "nlopt-lbfgs"
-    if (completed || distance <= std::max<std::size_t>(1, wrong.size() / 2)) near.emplace_back(completed ? 0 : distance, name);
+    if (completed || distance <= std::max<std::size_t>(1, wrong.size() / 2))
+      near.emplace_back(completed ? 0 : distance, name);
   }
   std::ranges::stable_sort(near, {}, &std::pair<std::size_t, std::string>::first);
   std::vector<std::string> names;

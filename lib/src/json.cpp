@@ -12,7 +12,8 @@ namespace nodal {
 
 namespace {
 
-// ── reading ────────────────────────────────────────────────────────────────────────────────────────────────────────────
+// ── reading
+// ────────────────────────────────────────────────────────────────────────────────────────────────────────────
 
 // Knows the line of each character that the parser has consumed.
 class LineCounter {
@@ -135,7 +136,8 @@ class ValueBuilder final : public nlohmann::json_sax<nlohmann::json> {
   std::vector<std::string> keys_;
 };
 
-// ── writing ────────────────────────────────────────────────────────────────────────────────────────────────────────────
+// ── writing
+// ────────────────────────────────────────────────────────────────────────────────────────────────────────────
 
 // How many bytes the well-formed UTF-8 character at the front of a text has (Unicode, table 3-7); 0 if there is none.
 std::size_t character_size(std::string_view text) {
@@ -158,11 +160,21 @@ std::size_t character_size(std::string_view text) {
 
 void write_ascii(char c, std::string& out) {
   switch (c) {
-    case '"': out += "\\\""; break;
-    case '\\': out += "\\\\"; break;
-    case '\n': out += "\\n"; break;
-    case '\r': out += "\\r"; break;
-    case '\t': out += "\\t"; break;
+    case '"':
+      out += "\\\"";
+      break;
+    case '\\':
+      out += "\\\\";
+      break;
+    case '\n':
+      out += "\\n";
+      break;
+    case '\r':
+      out += "\\r";
+      break;
+    case '\t':
+      out += "\\t";
+      break;
     default:
       if (c < 0x20) {
         constexpr char kDigits[] = "0123456789abcdef";

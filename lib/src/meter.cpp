@@ -12,15 +12,32 @@ namespace nodal {
 
 namespace {
 
-constexpr std::size_t kTraceKept = 2000;           // as a record promises
+constexpr std::size_t kTraceKept = 2000;            // as a record promises
 constexpr std::size_t kTraceRoom = 2 * kTraceKept;  // thinned whenever it is full, so that nothing is ever allocated
 constexpr double kSampleEverySeconds = 1e-4;
 constexpr std::int64_t kLongestStride = 1024;
+constexpr std::int64_t kAcceptTimedOneIn = 8;  // an accepted move can be as cheap as a microsecond
 constexpr std::size_t kNoCoordinate = static_cast<std::size_t>(-1);
 
 double seconds_between(Meter::Clock::time_point a, Meter::Clock::time_point b) {
   return std::chrono::duration<double>(b - a).count();
 }
+
+// Adds the time of its scope, as many times as it stands for, to what the problem has taken: for work that is no
+// evaluation, as derivatives at the last point, products and accepted moves.
+class WorkClock {
+ public:
+  explicit WorkClock(double& seconds, std::int64_t stands_for = 1)
+      : seconds_(seconds), stands_for_(static_cast<double>(stands_for)), began_(Meter::Clock::now()) {}
+  ~WorkClock() { seconds_ += stands_for_ * seconds_between(began_, Meter::Clock::now()); }
+  WorkClock(const WorkClock&) = delete;
+  WorkClock& operator=(const WorkClock&) = delete;
+
+ private:
+  double& seconds_;
+  double stands_for_;
+  Meter::Clock::time_point began_;
+};
 
 }  // namespace
 
@@ -51,7 +68,8 @@ Meter::Meter(const Problem& problem, Evaluator& evaluator, std::span<const doubl
       began_(began),
       best_x_(space_.size()),
       last_x_(space_.size()) {
-  if (start.size() != space_.size()) throw std::invalid_argument("Meter: the start has the wrong number of coordinates");
+  if (start.size() != space_.size())
+    throw std::invalid_argument("Meter: the start has the wrong number of coordinates");
   trace_.reserve(kTraceRoom);
   start_ = evaluator_.value(start);
   if (start_.ok() && !std::isfinite(start_.cost)) start_.status = Status::invalid_input;
@@ -75,8 +93,8 @@ bool Meter::refuse() noexcept {
   return false;
 }
 
-// Chooses the next stride so that the clock is read about every kSampleEverySeconds, doubling at most, so that a problem
-// that turns slow is noticed soon.
+// Chooses the next stride so that the clock is read about every kSampleEverySeconds, doubling at most, so that a
+// problem that turns slow is noticed soon.
 bool Meter::begin_sample() noexcept {
   sample_began_ = Clock::now();
   if (seconds_between(began_, sample_began_) >= limits_.seconds) {
@@ -104,8 +122,10 @@ void Meter::end_sample() noexcept {
 }
 
 Evaluation Meter::settle(Evaluation result, std::span<const double> x) {
-  if (sampling_) [[unlikely]] end_sample();
-  if (result.ok() && !std::isfinite(result.cost)) [[unlikely]] result.status = Status::invalid_input;
+  if (sampling_) [[unlikely]]
+    end_sample();
+  if (result.ok() && !std::isfinite(result.cost)) [[unlikely]]
+    result.status = Status::invalid_input;
   if (!result.ok()) [[unlikely]] {
     ++failed_;
   } else if (result.cost < best_cost_) {
@@ -165,6 +185,7 @@ Evaluation Meter::value_and_gradient(std::span<const double> x, std::span<double
       return {Status::budget_spent, 0.0};
     }
     ++counts_.gradients;
+    const WorkClock clock(evaluation_seconds_);
     Evaluation result = last_;
     result.status = evaluator_.gradient(gradient);
     if (result.ok() && !all_finite(gradient)) result.status = Status::invalid_input;
@@ -185,6 +206,7 @@ Evaluation Meter::residuals(std::span<const double> x, std::span<double> residua
       return {Status::budget_spent, 0.0};
     }
     ++counts_.residuals;
+    const WorkClock clock(evaluation_seconds_);
     return evaluator_.residuals(x, residuals);
   }
   if (!admit()) return {Status::budget_spent, 0.0};
@@ -202,6 +224,8 @@ Evaluation Meter::residuals_and_jacobian(std::span<const double> x, std::span<do
   if (!repeated && !admit()) return {Status::budget_spent, 0.0};
   ++counts_.residuals;
   ++counts_.jacobians;
+  std::optional<WorkClock> clock;
+  if (repeated) clock.emplace(evaluation_seconds_);
   Evaluation result = evaluator_.residuals_and_jacobian(x, residuals, jacobian);
   if (result.ok() && !all_finite(jacobian)) result.status = Status::invalid_input;
   return repeated ? result : settle(result, x);
@@ -213,6 +237,7 @@ Status Meter::jacobian_product(std::span<const double> v, std::span<double> jv) 
     return Status::budget_spent;
   }
   ++counts_.products;
+  const WorkClock clock(evaluation_seconds_);
   return evaluator_.jacobian_product(v, jv);
 }
 
@@ -222,6 +247,7 @@ Status Meter::jacobian_transposed_product(std::span<const double> w, std::span<d
     return Status::budget_spent;
   }
   ++counts_.products;
+  const WorkClock clock(evaluation_seconds_);
   return evaluator_.jacobian_transposed_product(w, jtw);
 }
 
@@ -245,6 +271,7 @@ void Meter::note_drift(double expected, const Evaluation& fresh) {
 Evaluation MeteredMoves::reset(std::span<const double> x) {
   // A walk evaluates on its own account: the evaluator's last point may be another now.
   meter_->last_.status = Status::invalid_input;
+  const WorkClock clock(meter_->evaluation_seconds_);
   Evaluation result = moves_->reset(x);
   if (result.ok() && !std::isfinite(result.cost)) result.status = Status::invalid_input;
   meter_->walk_cost_ = result.cost;
@@ -257,8 +284,10 @@ Evaluation MeteredMoves::propose(std::size_t i, double value) {
   ++meter.counts_.proposed;
   meter.last_.status = Status::invalid_input;  // the adapter prices by full evaluations
   Evaluation result = moves_->propose(i, value);
-  if (meter.sampling_) [[unlikely]] meter.end_sample();
-  if (result.ok() && !std::isfinite(result.cost)) [[unlikely]] result.status = Status::invalid_input;
+  if (meter.sampling_) [[unlikely]]
+    meter.end_sample();
+  if (result.ok() && !std::isfinite(result.cost)) [[unlikely]]
+    result.status = Status::invalid_input;
   if (!result.ok()) [[unlikely]] {
     ++meter.failed_;
   } else {
@@ -269,7 +298,10 @@ Evaluation MeteredMoves::propose(std::size_t i, double value) {
 }
 
 Status MeteredMoves::accept() {
+  std::optional<WorkClock> clock;
+  if (meter_->counts_.accepted % kAcceptTimedOneIn == 0) clock.emplace(meter_->evaluation_seconds_, kAcceptTimedOneIn);
   const Status status = moves_->accept();
+  clock.reset();
   if (status == Status::ok) {
     ++meter_->counts_.accepted;
     meter_->walk_cost_ = meter_->proposed_cost_;
@@ -279,6 +311,7 @@ Status MeteredMoves::accept() {
 
 Evaluation MeteredMoves::resync() {
   meter_->last_.status = Status::invalid_input;
+  const WorkClock clock(meter_->evaluation_seconds_);
   const Evaluation fresh = moves_->resync();
   meter_->note_drift(meter_->walk_cost_, fresh);
   if (fresh.ok()) meter_->walk_cost_ = fresh.cost;

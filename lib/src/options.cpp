@@ -12,13 +12,20 @@ namespace {
 
 std::string with_article(OptionType type) {
   switch (type) {
-    case OptionType::boolean: return "a boolean (true or false)";
-    case OptionType::integer: return "an integer";
-    case OptionType::number: return "a number";
-    case OptionType::text: return "a text";
-    case OptionType::number_list: return "a list of numbers";
-    case OptionType::integer_list: return "a list of integers";
-    case OptionType::table: return "a table";
+    case OptionType::boolean:
+      return "a boolean (true or false)";
+    case OptionType::integer:
+      return "an integer";
+    case OptionType::number:
+      return "a number";
+    case OptionType::text:
+      return "a text";
+    case OptionType::number_list:
+      return "a list of numbers";
+    case OptionType::integer_list:
+      return "a list of integers";
+    case OptionType::table:
+      return "a table";
   }
   return "a value";
 }
@@ -37,12 +44,21 @@ class Check {
       case OptionType::boolean:
         if (!value_.is_boolean()) wrong_type(option_.type);
         break;
-      case OptionType::integer: result = integer(); break;
-      case OptionType::number: result = number(); break;
-      case OptionType::text: check_text(); break;
+      case OptionType::integer:
+        result = integer();
+        break;
+      case OptionType::number:
+        result = number();
+        break;
+      case OptionType::text:
+        check_text();
+        break;
       case OptionType::number_list:
-      case OptionType::integer_list: result = list(); break;
-      case OptionType::table: wrong_type(option_.type);
+      case OptionType::integer_list:
+        result = list();
+        break;
+      case OptionType::table:
+        wrong_type(option_.type);
     }
     result.source = value_.source;
     return result;
@@ -50,11 +66,13 @@ class Check {
 
  private:
   // An entry of a list: held to the range of its option.
-  Check(std::string name, const Option& option, const Value& value) : option_(option), value_(value), name_(std::move(name)) {}
+  Check(std::string name, const Option& option, const Value& value)
+      : option_(option), value_(value), name_(std::move(name)) {}
 
   [[noreturn]] void refuse(const std::string& what) const { throw InputError(value_.source, name_ + " " + what); }
   [[noreturn]] void wrong_type(OptionType wanted) const {
-    refuse(fmt::format("must be {}{}, not {}", with_article(wanted), option_.or_table ? " or a table" : "", value_.type_name()));
+    refuse(fmt::format("must be {}{}, not {}", with_article(wanted), option_.or_table ? " or a table" : "",
+                       value_.type_name()));
   }
 
   void check_range(double number) const {
@@ -116,13 +134,20 @@ void refuse_unknown_keys(const OptionSchema& schema, const Value& given, const s
 
 std::string_view to_string(OptionType type) noexcept {
   switch (type) {
-    case OptionType::boolean: return "boolean";
-    case OptionType::integer: return "integer";
-    case OptionType::number: return "number";
-    case OptionType::text: return "text";
-    case OptionType::number_list: return "list of numbers";
-    case OptionType::integer_list: return "list of integers";
-    case OptionType::table: return "table";
+    case OptionType::boolean:
+      return "boolean";
+    case OptionType::integer:
+      return "integer";
+    case OptionType::number:
+      return "number";
+    case OptionType::text:
+      return "text";
+    case OptionType::number_list:
+      return "list of numbers";
+    case OptionType::integer_list:
+      return "list of integers";
+    case OptionType::table:
+      return "table";
   }
   return "value";
 }
@@ -138,7 +163,8 @@ std::string range_text(const Option& option) {
 }
 
 Options resolve_options(const OptionSchema& schema, const Value& given, const std::string& owner) {
-  if (!given.is_table()) throw InputError(given.source, fmt::format("{} must be a table, not {}", owner, given.type_name()));
+  if (!given.is_table())
+    throw InputError(given.source, fmt::format("{} must be a table, not {}", owner, given.type_name()));
   refuse_unknown_keys(schema, given, owner);
   Value resolved;
   resolved.source = given.source;

@@ -48,7 +48,8 @@ std::string hash128(std::string_view text) {
   Wide hash = (Wide{0x6c62272e07bb0142} << 64) + 0x62b821756295c58d;
   for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * kPrime;
   std::string digits(32, '0');
-  for (std::size_t i = digits.size(); i-- > 0; hash >>= 4) digits[i] = "0123456789abcdef"[static_cast<unsigned>(hash & 15)];
+  for (std::size_t i = digits.size(); i-- > 0; hash >>= 4)
+    digits[i] = "0123456789abcdef"[static_cast<unsigned>(hash & 15)];
   return digits;
 }
 

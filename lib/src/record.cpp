@@ -143,7 +143,7 @@ class Reader {
 // `T` is the table, const when it is written.
 
 template <class Archive, class T>
-  requires std::same_as<std::remove_const_t<T>, PointSummary>
+requires std::same_as<std::remove_const_t<T>, PointSummary>
 void describe(Archive& archive, T& point) {
   archive.field("cost", point.cost);
   archive.field("quality", point.quality);
@@ -151,7 +151,7 @@ void describe(Archive& archive, T& point) {
 }
 
 template <class Archive, class T>
-  requires std::same_as<std::remove_const_t<T>, BestPoint>
+requires std::same_as<std::remove_const_t<T>, BestPoint>
 void describe(Archive& archive, T& best) {
   archive.field("evaluation", best.evaluation);
   describe(archive, best.summary);
@@ -159,7 +159,7 @@ void describe(Archive& archive, T& best) {
 }
 
 template <class Archive, class T>
-  requires std::same_as<std::remove_const_t<T>, Counts>
+requires std::same_as<std::remove_const_t<T>, Counts>
 void describe(Archive& archive, T& counts) {
   archive.field("evaluations", counts.evaluations);
   archive.field("values", counts.values);
@@ -178,7 +178,7 @@ struct WorkAndUnit {
 };
 
 template <class Archive, class T>
-  requires std::same_as<std::remove_const_t<T>, WorkAndUnit>
+requires std::same_as<std::remove_const_t<T>, WorkAndUnit>
 void describe(Archive& archive, T& entry) {
   archive.field("factorizations", entry.work.factorizations);
   archive.field("solves", entry.work.solves);
@@ -189,7 +189,7 @@ void describe(Archive& archive, T& entry) {
 }
 
 template <class Archive, class T>
-  requires std::same_as<std::remove_const_t<T>, Seconds>
+requires std::same_as<std::remove_const_t<T>, Seconds>
 void describe(Archive& archive, T& seconds) {
   archive.field("total", seconds.total);
   archive.field("evaluation", seconds.evaluation);
@@ -200,7 +200,7 @@ void describe(Archive& archive, T& seconds) {
 }
 
 template <class Archive, class T>
-  requires std::same_as<std::remove_const_t<T>, ClaimRecord>
+requires std::same_as<std::remove_const_t<T>, ClaimRecord>
 void describe(Archive& archive, T& claim) {
   archive.field("cost", claim.cost);
   archive.field("x_equals_best", claim.x_equals_best);
@@ -209,7 +209,7 @@ void describe(Archive& archive, T& claim) {
 }
 
 template <class Archive, class T>
-  requires std::same_as<std::remove_const_t<T>, Health>
+requires std::same_as<std::remove_const_t<T>, Health>
 void describe(Archive& archive, T& health) {
   archive.field("error_estimate", health.error_estimate);
   archive.field("residual", health.residual);
@@ -219,8 +219,9 @@ void describe(Archive& archive, T& health) {
 }
 
 template <class Archive, class T>
-  requires std::same_as<std::remove_const_t<T>, TrialRecord>
-void describe(Archive& archive, T& record, std::conditional_t<std::is_const_v<T>, const WorkAndUnit, WorkAndUnit>& work) {
+requires std::same_as<std::remove_const_t<T>, TrialRecord>
+void describe(Archive& archive, T& record,
+              std::conditional_t<std::is_const_v<T>, const WorkAndUnit, WorkAndUnit>& work) {
   archive.field("schema", record.schema);
   archive.field("key", record.key);
   archive.field("problem", record.problem);
@@ -257,8 +258,10 @@ TrialRecord parse_record(std::string_view line, const std::string& name) {
   if (!value.is_table()) throw InputError(name + ": not a trial's record: it is no table");
   const Value* schema = value.find("schema");
   if (schema && schema->is_integer() && schema->integer() > kRecordSchema)
-    throw NewerSchemaError(fmt::format("{}: the record has schema {}, this build reads up to {}; use a newer nodal or "
-                                       "another directory", name, schema->integer(), kRecordSchema));
+    throw NewerSchemaError(
+        fmt::format("{}: the record has schema {}, this build reads up to {}; use a newer nodal or "
+                    "another directory",
+                    name, schema->integer(), kRecordSchema));
   TrialRecord record;
   WorkAndUnit work;
   Reader reader(value, "", name);

@@ -9,7 +9,8 @@ namespace nodal {
 namespace {
 
 template <class Descriptions, class Member>
-auto find_by(const Descriptions& all, Member member, std::string_view name) -> const typename Descriptions::value_type* {
+auto find_by(const Descriptions& all, Member member, std::string_view name) -> const
+    typename Descriptions::value_type* {
   const auto found = std::ranges::find(all, name, member);
   return found == all.end() ? nullptr : &*found;
 }
@@ -17,7 +18,8 @@ auto find_by(const Descriptions& all, Member member, std::string_view name) -> c
 }  // namespace
 
 void Registry::add(OptimizerDescription description) {
-  if (find_optimizer(description.name)) throw std::logic_error("optimizer '" + description.name + "' is registered twice");
+  if (find_optimizer(description.name))
+    throw std::logic_error("optimizer '" + description.name + "' is registered twice");
   optimizers_.push_back(std::move(description));
 }
 

@@ -28,8 +28,7 @@ bool Space::contains(std::span<const double> x) const {
 
 void Space::clamp(std::span<double> x) const {
   if (x.size() != size()) throw std::invalid_argument("Space::clamp: wrong number of coordinates");
-  for (std::size_t i = 0; i < size(); ++i)
-    x[i] = std::isnan(x[i]) ? start_[i] : std::clamp(x[i], lower_[i], upper_[i]);
+  for (std::size_t i = 0; i < size(); ++i) x[i] = std::isnan(x[i]) ? start_[i] : std::clamp(x[i], lower_[i], upper_[i]);
 }
 
 }  // namespace nodal

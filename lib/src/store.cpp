@@ -30,7 +30,8 @@ constexpr int kManifestSchema = 1;
 constexpr const char* kManifest = "manifest.json";
 
 [[noreturn]] void refuse_write(const fs::path& path, int error) {
-  throw StoreError(fmt::format("cannot write '{}': {}; what was stored before stays valid", path.string(), std::strerror(error)));
+  throw StoreError(
+      fmt::format("cannot write '{}': {}; what was stored before stays valid", path.string(), std::strerror(error)));
 }
 
 [[noreturn]] void refuse_read(const fs::path& path, int error) {
@@ -71,7 +72,7 @@ class File {
   // Back to where a line began, so that a line cut off by a full disk does not swallow the next one.
   void cut_to(off_t size) noexcept { [[maybe_unused]] const int ignored = ::ftruncate(descriptor_, size); }
   off_t size() const {
-    struct stat status{};
+    struct stat status {};
     return ::fstat(descriptor_, &status) == 0 ? status.st_size : 0;
   }
 
@@ -104,16 +105,15 @@ void write_atomically(const fs::path& path, std::string_view content) {
   }
 }
 
-std::string utc_now() {
-  return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
-}
+std::string utc_now() { return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr))); }
 
 // One file per writing process: host, process and moment name it.
 std::string writer_name() {
   char host[256] = "host";
   ::gethostname(host, sizeof host - 1);
   const auto now = std::chrono::system_clock::now().time_since_epoch();
-  return fmt::format("{}-{}-{}.jsonl", host, ::getpid(), std::chrono::duration_cast<std::chrono::milliseconds>(now).count());
+  return fmt::format("{}-{}-{}.jsonl", host, ::getpid(),
+                     std::chrono::duration_cast<std::chrono::milliseconds>(now).count());
 }
 
 Value study_part(const Study& study) {
@@ -121,7 +121,8 @@ Value study_part(const Study& study) {
   part.set("name", study.name);
   part.set("file", study.path.string());
   std::error_code ignored;
-  part.set("directory", fs::absolute(study.path.parent_path().empty() ? "." : study.path.parent_path(), ignored).string());
+  part.set("directory",
+           fs::absolute(study.path.parent_path().empty() ? "." : study.path.parent_path(), ignored).string());
   part.set("seed", Value(study.seed));
   part.set("repeats", study.repeats);
   part.set("text", study.text);
@@ -197,10 +198,13 @@ struct Store::State {
     manifest = parse_json(read_text(path), path.string());
     const Value* schema = manifest.is_table() ? manifest.find("schema") : nullptr;
     if (!schema || !schema->is_integer())
-      throw InputError(fmt::format("'{}' is not the manifest of a store: it has no schema; choose another directory", path.string()));
+      throw InputError(fmt::format("'{}' is not the manifest of a store: it has no schema; choose another directory",
+                                   path.string()));
     if (schema->integer() > kManifestSchema)
-      throw NewerSchemaError(fmt::format("'{}' has schema {}, this build reads up to {}; use a newer nodal or another "
-                                         "directory", path.string(), schema->integer(), kManifestSchema));
+      throw NewerSchemaError(
+          fmt::format("'{}' has schema {}, this build reads up to {}; use a newer nodal or another "
+                      "directory",
+                      path.string(), schema->integer(), kManifestSchema));
   }
 
   void read_records() {
@@ -245,8 +249,9 @@ struct Store::State {
       const Value* other = run.is_table() ? run.find("provenance") : nullptr;
       if (!other || !other->is_table() || build_identity(*other) == build_identity(here)) continue;
       const Value* said = other->find("revision");
-      warnings.push_back(fmt::format("'{}' holds results of another build (revision {}; this is {}): times don't compare",
-                                     directory.string(), said && said->is_text() ? said->text() : "unknown", revision()));
+      warnings.push_back(
+          fmt::format("'{}' holds results of another build (revision {}; this is {}): times don't compare",
+                      directory.string(), said && said->is_text() ? said->text() : "unknown", revision()));
       return;
     }
   }

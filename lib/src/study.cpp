@@ -51,7 +51,8 @@ class StudyReader {
     const std::vector<std::string> known = {"study", "budget", "problem", "optimizer"};
     for (const auto& [key, value] : root_.table())
       if (std::ranges::find(known, key) == known.end())
-        throw InputError(value.source, fmt::format("unknown table or key '{}' in the study{}", key, name_hint(key, known)));
+        throw InputError(value.source,
+                         fmt::format("unknown table or key '{}' in the study{}", key, name_hint(key, known)));
   }
 
   Options section(const char* name, const OptionSchema& schema) const {
@@ -70,9 +71,11 @@ class StudyReader {
     std::vector<const Value*> list;
     if (!found) return list;
     if (found->is_table()) return {found};
-    if (!found->is_list()) throw InputError(found->source, fmt::format("'{}' must be a table, not {}", name, found->type_name()));
+    if (!found->is_list())
+      throw InputError(found->source, fmt::format("'{}' must be a table, not {}", name, found->type_name()));
     for (const Value& item : found->list()) {
-      if (!item.is_table()) throw InputError(item.source, fmt::format("'{}' must be a table, not {}", name, item.type_name()));
+      if (!item.is_table())
+        throw InputError(item.source, fmt::format("'{}' must be a table, not {}", name, item.type_name()));
       list.push_back(&item);
     }
     return list;
@@ -108,7 +111,8 @@ class StudyReader {
     if (overrides_.seconds && !std::isfinite(*overrides_.seconds))
       throw InputError(Source{"--seconds", 0}, fmt::format("is {}; it must be finite", *overrides_.seconds));
     if (overrides_.evaluations && *overrides_.evaluations < 1)
-      throw InputError(Source{"--evaluations", 0}, fmt::format("is {}; it must be at least 1", *overrides_.evaluations));
+      throw InputError(Source{"--evaluations", 0},
+                       fmt::format("is {}; it must be at least 1", *overrides_.evaluations));
   }
 
   // The entry without the keys that belong to somebody else.
@@ -134,8 +138,8 @@ class StudyReader {
                        fmt::format("unknown problem '{}'{}", problem.kind,
                                    name_hint(problem.kind, names_of(registry_.problems(), &ProblemDescription::kind))));
     claim_label(problem.label, entry, problem_labels_, "problems", "[problem]");
-    problem.options = resolve_options(description->options, only_keys(entry, own, false),
-                                      fmt::format("problem '{}'", problem.label));
+    problem.options =
+        resolve_options(description->options, only_keys(entry, own, false), fmt::format("problem '{}'", problem.label));
     problem.problem = description->make(problem.options, {study_.path.parent_path(), entry.source});
     if (options.has("best_known")) {
       const Options known = options.table("best_known");
@@ -165,11 +169,13 @@ class StudyReader {
     optimizer.multi_start = options.boolean("multi_start");
     optimizer.deterministic = description->deterministic && !optimizer.multi_start;
     if (optimizer.multi_start && !description->local)
-      throw InputError(options.at("multi_start").source,
-                       fmt::format("'multi_start' of optimizer '{}' is for local methods; '{}' searches globally by itself",
-                                   optimizer.label, optimizer.use));
+      throw InputError(
+          options.at("multi_start").source,
+          fmt::format("'multi_start' of optimizer '{}' is for local methods; '{}' searches globally by itself",
+                      optimizer.label, optimizer.use));
     if (optimizer.baseline && std::ranges::any_of(study_.optimizers, &StudyOptimizer::baseline))
-      throw InputError(options.at("baseline").source, fmt::format("optimizer '{}' is a second baseline; only one can be", optimizer.label));
+      throw InputError(options.at("baseline").source,
+                       fmt::format("optimizer '{}' is a second baseline; only one can be", optimizer.label));
     study_.optimizers.push_back(std::move(optimizer));
   }
 
@@ -187,18 +193,22 @@ class StudyReader {
       study_.left_out.push_back({optimizer.label, optimizer.use, absent->reason});
       return;
     }
-    throw InputError(source, fmt::format("unknown optimizer '{}'{}", optimizer.use,
-                                         name_hint(optimizer.use, names_of(registry_.optimizers(), &OptimizerDescription::name))));
+    throw InputError(
+        source, fmt::format("unknown optimizer '{}'{}", optimizer.use,
+                            name_hint(optimizer.use, names_of(registry_.optimizers(), &OptimizerDescription::name))));
   }
 
   using Labels = std::vector<std::pair<std::string, Source>>;
-  static void claim_label(const std::string& label, const Value& entry, Labels& taken, const char* what, const char* table) {
+  static void claim_label(const std::string& label, const Value& entry, Labels& taken, const char* what,
+                          const char* table) {
     if (const Value* given = entry.find("label"); given && label.empty())
       throw InputError(given->source, fmt::format("'label' of {} is empty; it names rows and results", table));
     const auto found = std::ranges::find(taken, label, &Labels::value_type::first);
     if (found != taken.end())
-      throw InputError(entry.source, fmt::format("two {} have the label '{}' (the other is on line {}); give one a 'label' of its own",
-                                                 what, label, found->second.line));
+      throw InputError(
+          entry.source,
+          fmt::format("two {} have the label '{}' (the other is on line {}); give one a 'label' of its own", what,
+                      label, found->second.line));
     taken.emplace_back(label, entry.source);
   }
 
@@ -207,9 +217,11 @@ class StudyReader {
     for (const std::string& wanted : overrides_.only) {
       const auto left_out = std::ranges::find(study_.left_out, wanted, &LeftOut::label);
       if (left_out != study_.left_out.end())
-        throw InputError(Source{"--only", 0}, fmt::format("optimizer '{}' is not in this build: {}", wanted, left_out->reason));
+        throw InputError(Source{"--only", 0},
+                         fmt::format("optimizer '{}' is not in this build: {}", wanted, left_out->reason));
       if (std::ranges::find(labels, wanted) == labels.end())
-        throw InputError(Source{"--only", 0}, fmt::format("no optimizer of the study is labelled '{}'{}", wanted, name_hint(wanted, labels)));
+        throw InputError(Source{"--only", 0}, fmt::format("no optimizer of the study is labelled '{}'{}", wanted,
+                                                          name_hint(wanted, labels)));
     }
     if (!overrides_.only.empty()) {
       for (StudyOptimizer& optimizer : study_.optimizers)
@@ -217,7 +229,8 @@ class StudyReader {
       study_.left_out.clear();
     }
     if (study_.optimizers.empty() && !study_.left_out.empty())
-      throw InputError({file_, 0}, fmt::format("none of the study's optimizers is in this build: {}", study_.left_out[0].reason));
+      throw InputError({file_, 0},
+                       fmt::format("none of the study's optimizers is in this build: {}", study_.left_out[0].reason));
   }
 
   void check_needs() const {
@@ -238,8 +251,10 @@ class StudyReader {
     if (!study_.budget.target_gap) return;
     for (const StudyProblem& problem : study_.problems)
       if (!problem.best_known)
-        throw InputError(target_source_, fmt::format("'target_gap' needs to know the best quality of problem '{}'; give it "
-                                                     "best_known = {{ quality = …, origin = \"…\" }}", problem.label));
+        throw InputError(target_source_,
+                         fmt::format("'target_gap' needs to know the best quality of problem '{}'; give it "
+                                     "best_known = {{ quality = …, origin = \"…\" }}",
+                                     problem.label));
   }
 
   std::string file_;
@@ -265,7 +280,8 @@ Study read_study(const std::filesystem::path& path, const Registry& registry, co
   if (in) text << in.rdbuf();
   if (in) in.peek();  // an error while reading looks like an empty file until the stream itself is asked
   if (!in || std::filesystem::is_directory(path))
-    throw InputError(fmt::format("cannot read study '{}': {}", path.string(), errno ? std::strerror(errno) : "not a regular file"));
+    throw InputError(
+        fmt::format("cannot read study '{}': {}", path.string(), errno ? std::strerror(errno) : "not a regular file"));
   return parse_study(text.str(), path, registry, overrides);
 }
 

@@ -24,8 +24,8 @@ std::uint64_t stream_key(const Study& study, const std::string& problem, const s
 }
 
 std::uint64_t trial_seed(const Study& study, const Trial& trial) {
-  return stream_key(study, study.problems.at(trial.problem).label, "optimizer " + study.optimizers.at(trial.optimizer).label,
-                    trial.repeat);
+  return stream_key(study, study.problems.at(trial.problem).label,
+                    "optimizer " + study.optimizers.at(trial.optimizer).label, trial.repeat);
 }
 
 double thread_cpu_seconds() {
@@ -63,7 +63,10 @@ std::unique_ptr<Optimizer> make_optimizer(const StudyOptimizer& entry, const Reg
 class Run {
  public:
   Run(const Study& study, const Trial& trial, const Registry& registry, TrialRecord& record)
-      : study_(study), trial_(trial), registry_(registry), record_(record),
+      : study_(study),
+        trial_(trial),
+        registry_(registry),
+        record_(record),
         problem_(*study.problems.at(trial.problem).problem) {}
 
   void execute() {
@@ -124,10 +127,16 @@ class Run {
 
   void note_end(const Meter& meter, const Outcome& outcome) {
     switch (meter.stop()) {
-      case Stop::none: record_.end = End::finished; break;
-      case Stop::target: record_.end = End::target; break;
+      case Stop::none:
+        record_.end = End::finished;
+        break;
+      case Stop::target:
+        record_.end = End::target;
+        break;
       case Stop::evaluations:
-      case Stop::seconds: record_.end = End::budget; break;
+      case Stop::seconds:
+        record_.end = End::budget;
+        break;
     }
     record_.reason = meter.stop() == Stop::none          ? outcome.reason
                      : meter.stop() == Stop::target      ? "target reached"

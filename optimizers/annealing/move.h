@@ -3,8 +3,8 @@
 
 /// "Choose randomly an edge e; change randomly spring constant of e" (Figure 6).
 ///
-/// One coordinate, uniformly chosen, moved by U(−s, s). The elastic problem's coordinates are ln k, so k ← k·exp(U(−s, s)):
-/// positive by construction. At a bound the step is reflected.
+/// One coordinate, uniformly chosen, moved by U(−s, s). The elastic problem's coordinates are ln k, so k ← k·exp(U(−s,
+/// s)): positive by construction. At a bound the step is reflected.
 
 #include <cstddef>
 #include <span>

@@ -4,8 +4,8 @@
 /// Temperatures and steps of the paper's annealing (Figure 6), read carefully.
 ///
 /// T ← T·r^i at the start of temperature i = 0, 1, …, so T_i = T₀·r^(i(i+1)/2): over-exponential, T at i = 0 is T₀.
-/// `until (k > nlimit) or (good_steps > glimit)`, with k counting the steps tried (the listing forgets to increment it),
-/// means at most nlimit + 1 steps, and an end after glimit + 1 good ones.
+/// `until (k > nlimit) or (good_steps > glimit)`, with k counting the steps tried (the listing forgets to increment
+/// it), means at most nlimit + 1 steps, and an end after glimit + 1 good ones.
 
 #include <cstdint>
 
@@ -22,7 +22,8 @@ struct Schedule {
 /// T_i; the same sequence of multiplications as the listing's.
 class Temperature {
  public:
-  explicit Temperature(const Schedule& schedule) : value_(schedule.initial_temperature), reduction_(schedule.reduction) {}
+  explicit Temperature(const Schedule& schedule)
+      : value_(schedule.initial_temperature), reduction_(schedule.reduction) {}
 
   /// Enters temperature i = 0, 1, … in turn and returns it.
   double next();

@@ -41,11 +41,11 @@ struct Function {
   std::string kind;
   std::string summary;
   std::string reference;
-  std::size_t dimension = 10;      ///< by default
+  std::size_t dimension = 10;  ///< by default
   std::size_t least_dimension = 1;
-  std::size_t multiple = 1;        ///< dimensions must be a multiple of this
-  double lower = 0.0, upper = 1.0; ///< the customary box
-  double optimum = 0.0;            ///< every coordinate of the known minimiser
+  std::size_t multiple = 1;                  ///< dimensions must be a multiple of this
+  double lower = 0.0, upper = 1.0;           ///< the customary box
+  double optimum = 0.0;                      ///< every coordinate of the known minimiser
   double (*start)(std::size_t i) = nullptr;  ///< the customary start; without one see default_start
   Smooth smooth = {};
   LeastSquares least_squares = {};

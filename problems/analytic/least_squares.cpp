@@ -56,10 +56,14 @@ void powell_residuals(Point x, std::span<double> r) {
 void powell_jacobian(Point x, Entries& entries) {
   for (std::size_t i = 0; i < x.size(); i += 4) {
     const double inner = 2.0 * (x[i + 1] - 2.0 * x[i + 2]), outer = 2.0 * kRoot10 * (x[i] - x[i + 3]);
-    entries.insert(entries.end(), {{i, i, 1.0}, {i, i + 1, 10.0},
-                                   {i + 1, i + 2, kRoot5}, {i + 1, i + 3, -kRoot5},
-                                   {i + 2, i + 1, inner}, {i + 2, i + 2, -2.0 * inner},
-                                   {i + 3, i, outer}, {i + 3, i + 3, -outer}});
+    entries.insert(entries.end(), {{i, i, 1.0},
+                                   {i, i + 1, 10.0},
+                                   {i + 1, i + 2, kRoot5},
+                                   {i + 1, i + 3, -kRoot5},
+                                   {i + 2, i + 1, inner},
+                                   {i + 2, i + 2, -2.0 * inner},
+                                   {i + 3, i, outer},
+                                   {i + 3, i + 3, -outer}});
   }
 }
 

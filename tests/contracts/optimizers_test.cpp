@@ -80,9 +80,10 @@ TEST_P(StartlessOptimizer, DoesNotLookAtTheStart) {
 
 TEST_P(EveryOptimizer, StaysInTheBox) {
   Toy toy;
-  const std::vector<std::vector<double>> starts = {
-      {-1.2, 1.0, -1.2, 1.0}, std::vector<double>(4, toy.lower), std::vector<double>(4, toy.upper),
-      {toy.lower, toy.upper, toy.lower, 0.3}};
+  const std::vector<std::vector<double>> starts = {{-1.2, 1.0, -1.2, 1.0},
+                                                   std::vector<double>(4, toy.lower),
+                                                   std::vector<double>(4, toy.upper),
+                                                   {toy.lower, toy.upper, toy.lower, 0.3}};
   for (const std::vector<double>& start : starts) {
     toy.start = start;
     const Space* space = nullptr;

@@ -26,8 +26,11 @@ using Point = std::vector<double>;
 class EveryProblem : public testing::TestWithParam<Sample> {
  protected:
   EveryProblem()
-      : problem_(make_problem(GetParam())), evaluator_(problem_->make_evaluator()), n_(problem_->space().size()),
-        m_(problem_->residual_count()), can_(problem_->abilities()) {}
+      : problem_(make_problem(GetParam())),
+        evaluator_(problem_->make_evaluator()),
+        n_(problem_->space().size()),
+        m_(problem_->residual_count()),
+        can_(problem_->abilities()) {}
 
   Point start() const { return {problem_->space().start().begin(), problem_->space().start().end()}; }
   // Around the start, a fifth of the box to each side, and off the bounds by more than a difference's steps.

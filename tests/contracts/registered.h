@@ -25,7 +25,8 @@ inline const Registry& registry() {
 
 /// A name as GoogleTest wants it.
 inline std::string identifier(std::string name) {
-  std::ranges::replace_if(name, [](unsigned char c) { return !std::isalnum(c); }, '_');
+  std::ranges::replace_if(
+      name, [](unsigned char c) { return !std::isalnum(c); }, '_');
   return name;
 }
 

@@ -16,7 +16,10 @@ class EveryTrial : public testing::TestWithParam<Contender> {
     study.name = "contracts";
     study.budget.evaluations = 300;
     const Contender& c = GetParam();
-    study.optimizers.push_back({.label = c.name, .use = c.use, .options = c.options(), .multi_start = c.multi_start,
+    study.optimizers.push_back({.label = c.name,
+                                .use = c.use,
+                                .options = c.options(),
+                                .multi_start = c.multi_start,
                                 .deterministic = c.description().deterministic && !c.multi_start});
     return study;
   }

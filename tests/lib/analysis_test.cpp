@@ -74,7 +74,8 @@ TEST(QuartilesOfValues, StandInOrderAndGrowWithTheValues) {
     EXPECT_LE(q.lower, q.median);
     EXPECT_LE(q.median, q.upper);
     EXPECT_LE(q.upper, std::ranges::max(values));
-    std::rotate(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(random.index(values.size())), values.end());
+    std::rotate(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(random.index(values.size())),
+                values.end());
     EXPECT_EQ(quartiles(values)->median, q.median);
   }
 }

@@ -15,7 +15,9 @@ namespace {
 
 struct Bench {
   explicit Bench(const Limits& limits = {}, toy::Cost cost = toy::bowl)
-      : problem(3, std::move(cost)), evaluator(problem.make_evaluator()), meter(problem, *evaluator, problem.space().start(), limits) {}
+      : problem(3, std::move(cost)),
+        evaluator(problem.make_evaluator()),
+        meter(problem, *evaluator, problem.space().start(), limits) {}
   toy::ToyProblem problem;
   std::unique_ptr<Evaluator> evaluator;
   Meter meter;
@@ -98,7 +100,8 @@ TEST(Meter, StopsAtTheDeadline) {
 }
 
 TEST(Meter, TurnsCostsThatAreNoNumbersIntoAStatus) {
-  for (const double bad : {std::nan(""), std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()}) {
+  for (const double bad :
+       {std::nan(""), std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()}) {
     Bench b({}, [bad](std::span<const double> x) { return x[0] > 0.0 ? bad : toy::bowl(x); });
     const std::vector<double> x = {1.0, 0.0, 0.0};
     EXPECT_EQ(b.meter.value(x).status, Status::invalid_input);
@@ -171,7 +174,8 @@ TEST(Meter, RefusesAStartOfTheWrongSize) {
 
 TEST(Trace, IsThinnedEvenlyInTheLogarithm) {
   std::vector<TracePoint> trace;
-  for (std::int64_t i = 0; i <= 100000; ++i) trace.push_back({i, 1e-6 * static_cast<double>(i), i, 1.0 / static_cast<double>(i + 1)});
+  for (std::int64_t i = 0; i <= 100000; ++i)
+    trace.push_back({i, 1e-6 * static_cast<double>(i), i, 1.0 / static_cast<double>(i + 1)});
   thin_trace(trace, 2000);
   EXPECT_LE(trace.size(), 2000u);
   EXPECT_GT(trace.size(), 1000u);
@@ -182,6 +186,25 @@ TEST(Trace, IsThinnedEvenlyInTheLogarithm) {
     widest = std::max(widest, static_cast<double>(trace[i].evaluation) / static_cast<double>(trace[i - 1].evaluation));
   EXPECT_LT(widest, 1.02);  // 2,000 intervals over ln 1e5: 0.6 % each
   EXPECT_TRUE(std::ranges::is_sorted(trace, {}, &TracePoint::evaluation));
+}
+
+// Two milliseconds in each evaluation: all of it is the problem's time, whatever asked for it.
+TEST(Meter, CountsAllTimeInTheProblemAsTheProblems) {
+  using namespace std::chrono_literals;
+  const toy::ToyProblem problem(3, [](std::span<const double> x) {
+    std::this_thread::sleep_for(2ms);
+    return toy::bowl(x);
+  });
+  const auto evaluator = problem.make_evaluator();
+  Meter meter(problem, *evaluator, problem.space().start(), {});
+  const double before = meter.evaluation_seconds();
+  MeteredMoves& moves = meter.moves();
+  ASSERT_TRUE(moves.reset(problem.space().start()).ok());
+  for (int i = 0; i < 16; ++i) ASSERT_TRUE(moves.propose(0, 0.01 * i).ok());
+  ASSERT_TRUE(moves.resync().ok());
+  // One reset, 16 proposals, one resync; sleeping may take longer, never shorter.
+  EXPECT_GE(meter.evaluation_seconds() - before, 18 * 0.002);
+  EXPECT_LE(meter.evaluation_seconds(), meter.seconds_now());
 }
 
 }  // namespace

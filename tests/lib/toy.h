@@ -16,7 +16,8 @@ using Cost = std::function<double(std::span<const double>)>;
 
 inline double bowl(std::span<const double> x) {
   double sum = 0.0;
-  for (std::size_t i = 0; i < x.size(); ++i) sum += 0.5 * (x[i] - 0.25 * static_cast<double>(i + 1)) * (x[i] - 0.25 * static_cast<double>(i + 1));
+  for (std::size_t i = 0; i < x.size(); ++i)
+    sum += 0.5 * (x[i] - 0.25 * static_cast<double>(i + 1)) * (x[i] - 0.25 * static_cast<double>(i + 1));
   return sum;
 }
 
@@ -31,7 +32,9 @@ class ToyProblem final : public Problem {
   [[nodiscard]] Abilities abilities() const override { return {.gradient = true, .residuals = true}; }
   [[nodiscard]] std::size_t residual_count() const override { return space_.size(); }
   [[nodiscard]] double quality(double cost) const override { return std::sqrt(2.0 * cost); }
-  [[nodiscard]] std::optional<KnownOptimum> known_optimum() const override { return KnownOptimum{0.0, "by construction", {}}; }
+  [[nodiscard]] std::optional<KnownOptimum> known_optimum() const override {
+    return KnownOptimum{0.0, "by construction", {}};
+  }
   [[nodiscard]] std::unique_ptr<Evaluator> make_evaluator() const override;
 
  private:
@@ -60,11 +63,13 @@ class ToyEvaluator final : public Evaluator {
   }
   Evaluation residuals(std::span<const double> x, std::span<double> r) override {
     const Evaluation result = last_.size() == x.size() && std::equal(x.begin(), x.end(), last_.begin())
-                                  ? Evaluation{Status::ok, cost_(x)} : value(x);
+                                  ? Evaluation{Status::ok, cost_(x)}
+                                  : value(x);
     (void)gradient(r);
     return result;
   }
-  Evaluation residuals_and_jacobian(std::span<const double> x, std::span<double> r, std::span<double> jacobian) override {
+  Evaluation residuals_and_jacobian(std::span<const double> x, std::span<double> r,
+                                    std::span<double> jacobian) override {
     const Evaluation result = residuals(x, r);
     for (std::size_t i = 0; i < jacobian.size(); ++i) jacobian[i] = i % (x.size() + 1) == 0 ? 1.0 : 0.0;
     return result;

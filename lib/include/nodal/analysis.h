@@ -3,10 +3,11 @@
 
 /// What stored trials say: pure functions of records, the same for table, CSV and page.
 ///
-/// Gap = (G − G*)/(G_start − G*). Work is counted in equivalent full values, the start's included: factorizations at their
-/// own flops, the rest of the trial's flops (solves) spread evenly over its evaluations, divided by the flops of one full
-/// value. For problems that count no flops it is evaluations.
-/// Medians over repeats count a trial that never reached a target as infinitely long; "never" is an empty optional.
+/// Gap = (G − G*)/(G_start − G*). Work is counted in equivalent full values, the start's included: factorizations at
+/// their own flops, the rest of the trial's flops (solves) spread evenly over its evaluations, divided by the flops of
+/// one full value. For problems that count no flops it is evaluations. A trial whose process was killed or died has no
+/// figures; it counts as failed and in the success rate. Medians over repeats count a trial that never reached a target
+/// as infinitely long; "never" is an empty optional.
 
 #include <array>
 #include <optional>
@@ -36,27 +37,27 @@ struct Quartiles {
 /// The problem of a table: what G is measured against.
 struct ProblemReference {
   std::string label;
-  double best_quality = 0.0;   ///< G*
-  std::string origin;          ///< who says so
-  bool provisional = false;    ///< true when it is merely the best of these trials
+  double best_quality = 0.0;  ///< G*
+  std::string origin;         ///< who says so
+  bool provisional = false;   ///< true when it is merely the best of these trials
 };
 
 struct TargetRow {
   double gap = 0.0;
-  double success_rate = 0.0;                          ///< of all repeats
-  std::array<std::optional<double>, 3> median;        ///< by Axis; empty: never
-  std::array<std::optional<double>, 3> multiple;      ///< baseline's median over this one's; empty: never or no baseline
+  double success_rate = 0.0;                      ///< of all repeats
+  std::array<std::optional<double>, 3> median;    ///< by Axis; empty: never
+  std::array<std::optional<double>, 3> multiple;  ///< baseline's median over this one's; empty: never or no baseline
 };
 
 struct OptimizerRow {
   std::string label, use;
   bool baseline = false;
   std::size_t trials = 0;
-  std::size_t failed = 0;                             ///< ended failed, timeout or crashed
-  std::optional<Quartiles> quality, relative_error;   ///< of the best points
+  std::size_t failed = 0;                            ///< ended failed, timeout or crashed
+  std::optional<Quartiles> quality, relative_error;  ///< of the best points
   std::optional<Quartiles> evaluations, factorizations, seconds, work;
   std::array<TargetRow, kTargetGaps.size()> targets;
-  std::vector<std::string> reasons;                   ///< of failed trials, each once
+  std::vector<std::string> reasons;  ///< of failed trials, each once
 
   [[nodiscard]] const TargetRow& target(double gap) const;
 };
@@ -64,7 +65,7 @@ struct OptimizerRow {
 struct ProblemTable {
   ProblemReference reference;
   std::optional<double> start_quality, start_relative_error;
-  std::vector<OptimizerRow> rows;                     ///< in the order asked for
+  std::vector<OptimizerRow> rows;  ///< in the order asked for
 };
 
 /// An optimizer in a table: label, `use`, and whether it is the baseline.
@@ -83,8 +84,8 @@ struct RowRequest {
 [[nodiscard]] double position(const TrialRecord& record, const TracePoint& point, Axis axis);
 [[nodiscard]] double end_position(const TrialRecord& record, Axis axis);
 
-/// Best quality so far over an axis: median and quartiles over an optimizer's trials at logarithmically spaced positions.
-/// A trial that has ended keeps its best. Begins where the median trial has its first point.
+/// Best quality so far over an axis: median and quartiles over an optimizer's trials at logarithmically spaced
+/// positions. A trial that has ended keeps its best. Begins where the median trial has its first point.
 struct CurvePoint {
   double position = 0.0;
   Quartiles quality;

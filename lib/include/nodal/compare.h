@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-/// Runs what a store lacks of a study. Every trial runs in a child process of its own, forked from this one, so that one
-/// that crashes or hangs is a row with its reason; problems are built once and shared copy-on-write.
+/// Runs what a store lacks of a study. Every trial runs in a child process of its own, forked from this one, so that
+/// one that crashes or hangs is a row with its reason; problems are built once and shared copy-on-write.
 ///
 /// Threads  call it from a process without other threads.
 
@@ -16,10 +16,11 @@
 namespace nodal {
 
 struct CompareOptions {
-  int jobs = 1;                                  ///< trials at once; times stay clean with 1
-  bool isolate = true;                           ///< false runs trials in this process, one after the other
-  double grace_seconds = 30.0;                   ///< a trial is killed this long after ten times its budget of seconds [s]
-  const std::atomic<bool>* interrupted = nullptr;  ///< set it (from a signal handler, say) to stop after killing what runs
+  int jobs = 1;                 ///< trials at once; times stay clean with 1
+  bool isolate = true;          ///< false runs trials in this process, one after the other
+  double grace_seconds = 30.0;  ///< a trial is killed this long after ten times its budget of seconds [s]
+  const std::atomic<bool>* interrupted =
+      nullptr;  ///< set it (from a signal handler, say) to stop after killing what runs
 };
 
 /// Called from `compare`'s own thread.
@@ -31,7 +32,7 @@ struct CompareObserver {
 
 struct CompareResult {
   std::size_t ran = 0;
-  std::size_t failed = 0;   ///< of the study's trials, stored ones included: ended failed, timeout or crashed
+  std::size_t failed = 0;  ///< of the study's trials, stored ones included: ended failed, timeout or crashed
   bool interrupted = false;
 };
 

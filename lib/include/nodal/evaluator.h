@@ -23,10 +23,10 @@ namespace nodal {
 /// What evaluating has cost so far. Counts only grow.
 struct Work {
   std::int64_t factorizations = 0;
-  std::int64_t solves = 0;            ///< right-hand sides solved for
+  std::int64_t solves = 0;  ///< right-hand sides solved for
   std::int64_t rank_one_updates = 0;
-  double flops = 0.0;                 ///< of factorizations and solves, as the factor's structure implies
-  double factorization_flops = 0.0;   ///< the part of `flops` that factorizations took
+  double flops = 0.0;                ///< of factorizations and solves, as the factor's structure implies
+  double factorization_flops = 0.0;  ///< the part of `flops` that factorizations took
 
   Work& operator+=(const Work& other) noexcept {
     factorizations += other.factorizations;

@@ -104,8 +104,7 @@ class Meter {
   /// At the last point nothing is evaluated or counted: only the derivative is computed. So for the next two.
   Evaluation value_and_gradient(std::span<const double> x, std::span<double> gradient);
   Evaluation residuals(std::span<const double> x, std::span<double> residuals);
-  Evaluation residuals_and_jacobian(std::span<const double> x, std::span<double> residuals,
-                                    std::span<double> jacobian);
+  Evaluation residuals_and_jacobian(std::span<const double> x, std::span<double> residuals, std::span<double> jacobian);
   /// J v and Jᵀ w at the last evaluated point; `budget_spent` after the budget.
   [[nodiscard]] Status jacobian_product(std::span<const double> v, std::span<double> jv);
   [[nodiscard]] Status jacobian_transposed_product(std::span<const double> w, std::span<double> jtw);
@@ -129,7 +128,7 @@ class Meter {
   /// at the start (relative to itself it would say nothing near a perfect fit).
   [[nodiscard]] std::optional<double> drift() const noexcept { return drift_; }
   [[nodiscard]] const std::vector<TracePoint>& trace() const noexcept { return trace_; }
-  /// Wall time in evaluations, estimated from the sampled ones.
+  /// Wall time in the problem, estimated: evaluations and accepted moves from the sampled ones, the rest in full.
   [[nodiscard]] double evaluation_seconds() const noexcept { return evaluation_seconds_; }
   [[nodiscard]] double seconds_now() const noexcept;
 
@@ -182,9 +181,9 @@ class Meter {
   Clock::time_point sample_began_, previous_sample_;
   double evaluation_seconds_ = 0.0;
 
-  std::unique_ptr<Moves> adapter_;        // where the problem has no moves of its own
+  std::unique_ptr<Moves> adapter_;  // where the problem has no moves of its own
   std::unique_ptr<MeteredMoves> moves_;
-  double walk_cost_ = 0.0;                // of the walk's current point, as priced
+  double walk_cost_ = 0.0;  // of the walk's current point, as priced
   double proposed_cost_ = 0.0;
   std::optional<double> drift_;
 };

@@ -3,8 +3,8 @@
 
 /// A walk through the space that changes one coordinate at a time: what annealing does.
 ///
-/// A problem that can price such a change for less than a full value offers its own Moves (the elastic problem: rank-one
-/// algebra); for the others the meter supplies an adapter by full evaluation. The walk is independent of the
+/// A problem that can price such a change for less than a full value offers its own Moves (the elastic problem:
+/// rank-one algebra); for the others the meter supplies an adapter by full evaluation. The walk is independent of the
 /// evaluator's last point.
 ///
 ///     reset(x) → { propose(i, value) → [accept()] }*

@@ -22,15 +22,15 @@ namespace nodal {
 /// What a library says about its own result: stored beside what the meter saw, never instead of it.
 struct Claim {
   std::optional<double> cost;
-  std::vector<double> x;                    ///< empty when nothing is claimed
+  std::vector<double> x;  ///< empty when nothing is claimed
   std::optional<std::int64_t> evaluations;
-  std::string status;                       ///< in the library's own words
+  std::string status;  ///< in the library's own words
 };
 
 /// How a run ended, when it wasn't the meter that ended it.
 struct Outcome {
-  bool failed = false;      ///< the method could not do its work (a library refused its arguments, say)
-  std::string reason;       ///< why it finished or failed, e.g. "144 temperatures done"
+  bool failed = false;  ///< the method could not do its work (a library refused its arguments, say)
+  std::string reason;   ///< why it finished or failed, e.g. "144 temperatures done"
   std::optional<Claim> claim;
   Value effective_options;  ///< options as the run really used them, derived defaults and read-backs included
 };

@@ -22,21 +22,21 @@ enum class OptionType { boolean, integer, number, text, number_list, integer_lis
 
 /// One option of a component. Written with designated initializers, fields in this order.
 struct Option {
-  std::string name;                        ///< kebab_or_snake key as it stands in the study
+  std::string name;  ///< kebab_or_snake key as it stands in the study
   OptionType type = OptionType::number;
-  std::optional<Value> default_value = {}; ///< taken when the study says nothing
-  std::string default_text = {};           ///< how a default is derived when it is no constant, e.g. "2 × parameters"
-  bool required = false;                   ///< neither default nor "leave it out"
-  std::string unit = {};                   ///< "" for dimensionless
+  std::optional<Value> default_value = {};  ///< taken when the study says nothing
+  std::string default_text = {};            ///< how a default is derived when it is no constant, e.g. "2 × parameters"
+  bool required = false;                    ///< neither default nor "leave it out"
+  std::string unit = {};                    ///< "" for dimensionless
   double minimum = -std::numeric_limits<double>::infinity();
   double maximum = std::numeric_limits<double>::infinity();
-  bool minimum_excluded = false;           ///< the range is open at its lower end
-  bool maximum_excluded = false;           ///< the range is open at its upper end
-  std::size_t length = 0;                  ///< of a list; 0 is any
-  std::vector<std::string> choices = {};   ///< of a text; empty is any text
-  std::string help = {};                   ///< one line: what it means and why this default
-  std::vector<Option> fields = {};         ///< of a table
-  bool or_table = false;                   ///< a text option that may be a table with `fields` instead
+  bool minimum_excluded = false;          ///< the range is open at its lower end
+  bool maximum_excluded = false;          ///< the range is open at its upper end
+  std::size_t length = 0;                 ///< of a list; 0 is any
+  std::vector<std::string> choices = {};  ///< of a text; empty is any text
+  std::string help = {};                  ///< one line: what it means and why this default
+  std::vector<Option> fields = {};        ///< of a table
+  bool or_table = false;                  ///< a text option that may be a table with `fields` instead
 };
 
 using OptionSchema = std::vector<Option>;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-/// Start here. A problem is what optimizers are compared on: a box, a cost over it, and what can be asked about the cost.
+/// Start here. A problem is what optimizers are compared on: a box, a cost over it, and what can be asked about the
+/// cost.
 ///
 /// A Problem is an immutable description; `make_evaluator` gives the mutable object that evaluates points. To bring a
 /// problem of your own: derive from Problem and Evaluator, register a ProblemDescription (registry.h), and call

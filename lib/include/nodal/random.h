@@ -4,8 +4,8 @@
 /// A counter-based random stream: the n-th draw depends on the key and n alone, so a trial's numbers depend neither on
 /// other trials nor on threads.
 ///
-/// Philox4x32-10 (J. Salmon et al., "Parallel random numbers: as easy as 1, 2, 3", SC11): four 32-bit words per counter.
-/// Cost     about 3 ns per draw; no allocation. Threads: a plain value.
+/// Philox4x32-10 (J. Salmon et al., "Parallel random numbers: as easy as 1, 2, 3", SC11): four 32-bit words per
+/// counter. Cost     about 3 ns per draw; no allocation. Threads: a plain value.
 
 #include <array>
 #include <cstddef>

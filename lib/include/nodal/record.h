@@ -36,15 +36,15 @@ struct PointSummary {
 
 struct BestPoint {
   std::int64_t evaluation = 0;
-  PointSummary summary;           ///< of a fresh, refined evaluation at x
+  PointSummary summary;  ///< of a fresh, refined evaluation at x
   std::vector<double> x;
 };
 
 struct Seconds {
-  double total = 0.0;             ///< wall time of the whole trial
-  double evaluation = 0.0;        ///< in the problem
-  double optimizer = 0.0;         ///< in the method: total − evaluation − harness
-  double harness = 0.0;           ///< start, final audit, the meter
+  double total = 0.0;       ///< wall time of the whole trial
+  double evaluation = 0.0;  ///< in the problem
+  double optimizer = 0.0;   ///< in the method: total − evaluation − harness
+  double harness = 0.0;     ///< start, final audit, the meter
   double to_best = 0.0;
   double cpu = 0.0;
 };
@@ -62,15 +62,15 @@ struct TrialRecord {
   std::string problem, optimizer;  ///< labels
   std::string use;
   int repeat = 0;
-  std::uint64_t seed = 0;          ///< of the trial's stream; below 2^53, so that every JSON reader keeps it
+  std::uint64_t seed = 0;  ///< of the trial's stream; below 2^53, so that every JSON reader keeps it
   End end = End::failed;
   std::string reason;
-  Value options;                   ///< effective
+  Value options;  ///< effective
   PointSummary start;
-  std::optional<BestPoint> best;   ///< none when no point had a finite cost
+  std::optional<BestPoint> best;  ///< none when no point had a finite cost
   Counts counts;
   Work work;
-  double flops_per_value = 0.0;    ///< of one full value (the start's): the unit of "equivalent full values"; in `work`
+  double flops_per_value = 0.0;  ///< of one full value (the start's): the unit of "equivalent full values"; in `work`
   Seconds seconds;
   std::vector<TracePoint> trace;
   std::optional<ClaimRecord> claimed;

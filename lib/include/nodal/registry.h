@@ -20,13 +20,13 @@
 namespace nodal {
 
 struct OptimizerDescription {
-  std::string name = {};           ///< as `use` names it, e.g. "nlopt-crs2-lm"
-  std::string summary = {};        ///< one line
-  std::string reference = {};      ///< where the method is described
+  std::string name = {};       ///< as `use` names it, e.g. "nlopt-crs2-lm"
+  std::string summary = {};    ///< one line
+  std::string reference = {};  ///< where the method is described
   Abilities needs = {};
-  bool deterministic = false;      ///< draws nothing from the stream
-  bool uses_start = true;          ///< false for methods that search the whole box regardless
-  bool local = false;              ///< goes to a nearby minimum: worth wrapping in multi-start
+  bool deterministic = false;  ///< draws nothing from the stream
+  bool uses_start = true;      ///< false for methods that search the whole box regardless
+  bool local = false;          ///< goes to a nearby minimum: worth wrapping in multi-start
   OptionSchema options = {};
   std::function<std::unique_ptr<Optimizer>(const Options&)> make = {};
 };
@@ -38,10 +38,10 @@ struct ProblemContext {
 };
 
 struct ProblemDescription {
-  std::string kind = {};           ///< as `kind` names it, e.g. "elastic"
+  std::string kind = {};  ///< as `kind` names it, e.g. "elastic"
   std::string summary = {};
   std::string reference = {};
-  OptionSchema options = {};       ///< beside kind, label and best_known, which the study itself knows
+  OptionSchema options = {};  ///< beside kind, label and best_known, which the study itself knows
   /// InputError (with the source of the value at fault) for options that are each valid but don't make a problem.
   std::function<std::shared_ptr<const Problem>(const Options&, const ProblemContext&)> make = {};
 };

@@ -21,17 +21,17 @@ namespace nodal {
 enum class Starts { initial, sampled };
 
 struct Budget {
-  std::optional<double> seconds;            ///< wall time per trial [s]
+  std::optional<double> seconds;  ///< wall time per trial [s]
   std::optional<std::int64_t> evaluations;
-  std::optional<double> target_gap;         ///< stop when (G − G*)/(G_start − G*) ≤ this; needs a best known quality
+  std::optional<double> target_gap;  ///< stop when (G − G*)/(G_start − G*) ≤ this; needs a best known quality
 };
 
 struct StudyProblem {
   std::string label;
   std::string kind;
   Options options;
-  std::shared_ptr<const Problem> problem;   ///< built once, when the study is read
-  std::optional<KnownOptimum> best_known;   ///< the study's, else the problem's own
+  std::shared_ptr<const Problem> problem;  ///< built once, when the study is read
+  std::optional<KnownOptimum> best_known;  ///< the study's, else the problem's own
 };
 
 struct StudyOptimizer {
@@ -40,8 +40,8 @@ struct StudyOptimizer {
   Options options;
   bool baseline = false;
   bool multi_start = false;
-  bool deterministic = false;               ///< the method's own, false under multi-start
-  bool skipped = false;                     ///< by `only`: not run, but what is stored of it stays in the report
+  bool deterministic = false;  ///< the method's own, false under multi-start
+  bool skipped = false;        ///< by `only`: not run, but what is stored of it stays in the report
 };
 
 /// An optimizer of the study that this build lacks: left out of the race, and said.
@@ -60,7 +60,7 @@ struct Study {
   std::vector<StudyProblem> problems;
   std::vector<StudyOptimizer> optimizers;
   std::vector<LeftOut> left_out;
-  std::string text;                         ///< the file as it was read
+  std::string text;  ///< the file as it was read
   std::filesystem::path path;
 };
 
@@ -70,12 +70,12 @@ struct StudyOverrides {
   std::optional<std::int64_t> evaluations;
   std::optional<std::uint64_t> seed;
   std::optional<int> repeats;
-  std::vector<std::string> only;            ///< optimizer labels; all when empty
+  std::vector<std::string> only;  ///< optimizer labels; all when empty
 };
 
-/// Reads a study. InputError ("file:line: …") for everything that is wrong with it: syntax, an unknown key, type, range,
-/// an unknown optimizer or problem (nearest names offered), two equal labels, an optimizer that needs what a problem
-/// can't give. A study without optimizers or without a budget can be evaluated, but not compared.
+/// Reads a study. InputError ("file:line: …") for everything that is wrong with it: syntax, an unknown key, type,
+/// range, an unknown optimizer or problem (nearest names offered), two equal labels, an optimizer that needs what a
+/// problem can't give. A study without optimizers or without a budget can be evaluated, but not compared.
 [[nodiscard]] Study read_study(const std::filesystem::path& path, const Registry& registry,
                                const StudyOverrides& overrides = {});
 /// The same from a text; `path` is for messages and relative files.

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-/// A value as studies, options and records hold it: boolean, integer, number, text, list or table, with where it was said.
+/// A value as studies, options and records hold it: boolean, integer, number, text, list or table, with where it was
+/// said.
 ///
 /// TOML is read into it, JSON is read into it and written from it, so no other part knows either format's library.
 /// Tables keep the order in which their keys were written.

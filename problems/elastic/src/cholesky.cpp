@@ -44,9 +44,9 @@ class Common {
   cholmod_common common_;
 };
 
-// Supernodal CHOLMOD starts four OpenMP threads whatever OMP_NUM_THREADS says, and is slower for it on blocks this small
-// (SuiteSparse#34). While one of these lives, its parallel regions run on the calling thread. The OpenMP runtime is
-// looked up because it comes with CHOLMOD, or doesn't.
+// Supernodal CHOLMOD starts four OpenMP threads whatever OMP_NUM_THREADS says, and is slower for it on blocks this
+// small (SuiteSparse#34). While one of these lives, its parallel regions run on the calling thread. The OpenMP runtime
+// is looked up because it comes with CHOLMOD, or doesn't.
 class WithoutOpenMpThreads {
  public:
   explicit WithoutOpenMpThreads(bool wanted) {
@@ -85,7 +85,8 @@ cholmod_sparse view(std::size_t n, std::vector<int>& begins, std::vector<int>& r
 }
 
 // Compresses (row, column) pairs, sorted and without repetition.
-void compress(std::size_t n, std::vector<std::pair<int, int>>& by_column, std::vector<int>& begins, std::vector<int>& rows) {
+void compress(std::size_t n, std::vector<std::pair<int, int>>& by_column, std::vector<int>& begins,
+              std::vector<int>& rows) {
   std::ranges::sort(by_column);
   by_column.erase(std::unique(by_column.begin(), by_column.end()), by_column.end());
   begins.assign(n + 1, 0);
@@ -169,7 +170,8 @@ std::size_t CholeskyPattern::entry(std::size_t row, std::size_t column) const {
   const auto [low, high] = std::minmax({position_.at(row), position_.at(column)});
   const std::size_t stored_column = supernodal_ ? low : high;
   const int stored_row = static_cast<int>(supernodal_ ? high : low);
-  const auto begin = rows_.begin() + column_begins_[stored_column], end = rows_.begin() + column_begins_[stored_column + 1];
+  const auto begin = rows_.begin() + column_begins_[stored_column],
+             end = rows_.begin() + column_begins_[stored_column + 1];
   const auto found = std::lower_bound(begin, end, stored_row);
   if (found == end || *found != stored_row) throw std::logic_error("CholeskyPattern: no such entry");
   return static_cast<std::size_t>(found - rows_.begin());

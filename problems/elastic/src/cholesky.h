@@ -85,8 +85,9 @@ class Cholesky {
   /// min_j L_jj²/K_jj: how many digits the worst pivot kept when the others were eliminated; 1 is all.
   [[nodiscard]] double smallest_pivot_ratio() const;
 
-  /// Solves for `columns` right-hand sides. Write them, permuted and one after the other, into `right_hand_side(columns)`,
-  /// call `solve(columns)`: the span that it returns holds the solutions the same way, until the next solve.
+  /// Solves for `columns` right-hand sides. Write them, permuted and one after the other, into
+  /// `right_hand_side(columns)`, call `solve(columns)`: the span that it returns holds the solutions the same way,
+  /// until the next solve.
   [[nodiscard]] std::span<double> right_hand_side(std::size_t columns);
   [[nodiscard]] std::span<const double> solve(std::size_t columns);
 

@@ -101,7 +101,8 @@ std::string ElasticEvaluator::describe(Status status, std::size_t group) const {
                          equilibria_[group]->failed_node(), group);
     case Status::ill_conditioned:
       return fmt::format("stiffnesses differ too much for double precision (support group {})", group);
-    default: return {};
+    default:
+      return {};
   }
 }
 
@@ -225,7 +226,8 @@ Status ElasticEvaluator::jacobian_product(std::span<const double> v, std::span<d
       const double* u = equilibrium->displacement(l).data();
       std::ranges::fill(sum, 0.0);
       for (std::size_t e = 0; e < stiffness_.size(); ++e)
-        group.add_spring(e, -stiffness_[e] * v[model_.parameters.coordinate_of(e)] * group.elongation(e, u), sum.data());
+        group.add_spring(e, -stiffness_[e] * v[model_.parameters.coordinate_of(e)] * group.elongation(e, u),
+                         sum.data());
       std::copy_n(sum.data(), group.free(), rhs.data() + l * group.free());
     }
     std::ranges::fill(sum, 0.0);

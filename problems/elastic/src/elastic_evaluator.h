@@ -57,8 +57,8 @@ class ElasticEvaluator final : public Evaluator {
   const ElasticModel& model_;
   std::vector<std::unique_ptr<Equilibrium>> equilibria_;
   std::vector<double> x_, stiffness_, by_spring_;
-  bool at_point_ = false;     // x_, factors and displacements belong to one successful evaluation
-  bool refined_ = false;      // … and that was an audit
+  bool at_point_ = false;  // x_, factors and displacements belong to one successful evaluation
+  bool refined_ = false;   // … and that was an audit
   double cost_ = 0.0;
   std::size_t failed_group_ = 0;
   Health health_;

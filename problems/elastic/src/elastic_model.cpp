@@ -20,7 +20,8 @@ ElasticModel::ElasticModel(Scene scene_of_problem)
   for (const auto& group : groups) {
     for (const EquilibriumGroup::Load& load : group->loads()) {
       rows[load.index] = group->free();
-      for (std::size_t i = 0; i < group->free(); ++i) squared += group->weights()[i] * load.reference[i] * load.reference[i];
+      for (std::size_t i = 0; i < group->free(); ++i)
+        squared += group->weights()[i] * load.reference[i] * load.reference[i];
     }
   }
   for (std::size_t l = 0; l < rows.size(); ++l) {

@@ -19,12 +19,14 @@ struct ElasticModel {
   explicit ElasticModel(Scene scene_of_problem);
 
   /// ½ (G/‖u_ref‖_W)² from G² = Σ w (u − u_ref)².
-  [[nodiscard]] double cost(double squared_quality) const noexcept { return 0.5 * squared_quality * inverse_reference_squared; }
+  [[nodiscard]] double cost(double squared_quality) const noexcept {
+    return 0.5 * squared_quality * inverse_reference_squared;
+  }
 
   Scene scene;
   Parameters parameters;
   std::vector<std::unique_ptr<EquilibriumGroup>> groups;
-  double reference_norm = 0.0;              ///< ‖u_ref‖_W over all loads
+  double reference_norm = 0.0;  ///< ‖u_ref‖_W over all loads
   double inverse_reference_squared = 0.0;
   std::size_t residual_count = 0;           ///< free freedoms, summed over loads
   std::vector<std::size_t> first_residual;  ///< by load

@@ -109,20 +109,29 @@ std::vector<Stage> ElasticProblem::stages() const {
   const ElasticModel& model = data_->model;
   const bool supernodal = std::ranges::any_of(model.groups, [](const auto& g) { return g->pattern().supernodal(); });
   return {
-      {"body", true, fmt::format("rectangle {} × {}, thickness {}", s.net.body.size[0], s.net.body.size[1], s.net.body.thickness)},
+      {"body", true,
+       fmt::format("rectangle {} × {}, thickness {}", s.net.body.size[0], s.net.body.size[1], s.net.body.thickness)},
       {"points", true, fmt::format("grid of {} × {} nodes", s.net.grid.columns, s.net.grid.rows)},
       {"iterated Voronoi regions", false, "the points lie on a grid"},
       {"springs", true, fmt::format("{}, {} springs", s.net.topology, s.net.springs.size())},
       {"Delaunay triangulation", false, "the grid's topology says which nodes are joined"},
       {"masses", false, "equilibria need none"},
-      {"loads", true, fmt::format("{} load cases, {} support group{}", s.loads.loads.size(), s.loads.groups.size(), s.loads.groups.size() == 1 ? "" : "s")},
+      {"loads", true,
+       fmt::format("{} load cases, {} support group{}", s.loads.loads.size(), s.loads.groups.size(),
+                   s.loads.groups.size() == 1 ? "" : "s")},
       {"analytic reference", true, "homogeneous rectangle: the closed form is exact"},
       {"finite-element reference", false, "the closed form holds"},
-      {"parameters", true, fmt::format("{}: {} coordinates (ln k) for {} springs", s.parameter_rule, parameters().size(), parameters().springs())},
+      {"parameters", true,
+       fmt::format("{}: {} coordinates (ln k) for {} springs", s.parameter_rule, parameters().size(),
+                   parameters().springs())},
       {"initial stiffness", true, s.initial_rule},
-      {"equilibrium", true, fmt::format("CHOLMOD {}, {} factorization{} per value", supernodal ? "supernodal" : "simplicial", model.groups.size(), model.groups.size() == 1 ? "" : "s")},
+      {"equilibrium", true,
+       fmt::format("CHOLMOD {}, {} factorization{} per value", supernodal ? "supernodal" : "simplicial",
+                   model.groups.size(), model.groups.size() == 1 ? "" : "s")},
       {"gradient", true, "adjoint: one more solve per load, from the same factorizations"},
-      {"rank-one moves", parameters().one_to_one(), parameters().one_to_one() ? "one solve per support group prices a proposal" : "tied springs: proposals are full evaluations"},
+      {"rank-one moves", parameters().one_to_one(),
+       parameters().one_to_one() ? "one solve per support group prices a proposal"
+                                 : "tied springs: proposals are full evaluations"},
   };
 }
 
@@ -140,11 +149,13 @@ std::vector<std::string> ElasticProblem::remarks() const {
   const double poisson = s.material.plane_poisson();
   if (std::abs(poisson - 1.0 / 3.0) > 0.02) {
     const bool tied = !parameters().one_to_one();
-    remarks.push_back(fmt::format(
-        "springs alone make a Cauchy-elastic net: even, isotropic ones have Poisson's ratio 1/3 in the plane, this body has "
-        "{:.4g}; {}", poisson,
-        tied ? "tied springs can't make up for that, so expect a remaining error"
-             : "free, uneven springs reach it at the price of a spread in stiffness and of local noise"));
+    remarks.push_back(
+        fmt::format("springs alone make a Cauchy-elastic net: even, isotropic ones have Poisson's ratio 1/3 in the "
+                    "plane, this body has "
+                    "{:.4g}; {}",
+                    poisson,
+                    tied ? "tied springs can't make up for that, so expect a remaining error"
+                         : "free, uneven springs reach it at the price of a spread in stiffness and of local noise"));
   }
   return remarks;
 }

@@ -84,8 +84,14 @@ class Energy {
 class ProjectedNewton {
  public:
   ProjectedNewton(Energy& energy, const std::array<double, 2>& bounds, std::vector<double> start)
-      : energy_(energy), lower_(bounds[0]), upper_(bounds[1]), k_(std::move(start)), gradient_(k_.size()),
-        curvature_(k_.size()), free_(k_.size()), step_(k_.size()) {}
+      : energy_(energy),
+        lower_(bounds[0]),
+        upper_(bounds[1]),
+        k_(std::move(start)),
+        gradient_(k_.size()),
+        curvature_(k_.size()),
+        free_(k_.size()),
+        step_(k_.size()) {}
 
   std::vector<double> run() {
     constexpr int kIterations = 200;
@@ -123,7 +129,8 @@ class ProjectedNewton {
     std::vector<double> residual(n), direction(n), preconditioned(n), product(n);
     std::ranges::fill(step_, 0.0);
     const auto precondition = [&] {
-      for (std::size_t e = 0; e < n; ++e) preconditioned[e] = free_[e] ? residual[e] / (curvature_[e] + floor_of(e)) : 0.0;
+      for (std::size_t e = 0; e < n; ++e)
+        preconditioned[e] = free_[e] ? residual[e] / (curvature_[e] + floor_of(e)) : 0.0;
     };
     for (std::size_t e = 0; e < n; ++e) residual[e] = free_[e] ? -gradient_[e] : 0.0;
     precondition();

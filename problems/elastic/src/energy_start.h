@@ -16,10 +16,10 @@ namespace nodal::elastic {
 
 /// The minimiser of the convex energy
 ///     J(k) = Σ_loads [½ fᵀK(k)⁻¹f − fᵀu_ref + ½ Σ_e k_e (b_e·u_ref)²],  ∂J/∂k_e = Σ_loads ½ (b_e·u_ref)² − ½ (b_e·u)²,
-/// subject to bounds. J ≥ 0, and J = 0 exactly where u = u_ref: it is the energy norm of the misfit. One optimum, from any
-/// start; found by a projected Newton method (Bertsekas 1982) whose steps come from preconditioned conjugate gradients
-/// with Hessian products (b_e·u)(b_e·K⁻¹b_f)(b_f·u), one solve per load each.
-/// Valid where u_ref meets the supports.
+/// subject to bounds. J ≥ 0, and J = 0 exactly where u = u_ref: it is the energy norm of the misfit. One optimum, from
+/// any start; found by a projected Newton method (Bertsekas 1982) whose steps come from preconditioned conjugate
+/// gradients with Hessian products (b_e·u)(b_e·K⁻¹b_f)(b_f·u), one solve per load each. Valid where u_ref meets the
+/// supports.
 [[nodiscard]] std::vector<double> energy_stiffness(const Scene& scene, const std::array<double, 2>& bounds);
 
 }  // namespace nodal::elastic

@@ -120,8 +120,8 @@ void EquilibriumGroup::gather_terms(const Scene& scene) {
   for (std::size_t e = 0; e < scene.net.springs.size(); ++e) {
     const Spring& s = scene.net.springs[e];
     const auto at = [this](std::size_t freedom) { return static_cast<std::uint32_t>(place_[freedom]); };
-    ends_.push_back({s.direction[0], s.direction[1], at(2 * s.first), at(2 * s.first + 1), at(2 * s.second),
-                     at(2 * s.second + 1)});
+    ends_.push_back(
+        {s.direction[0], s.direction[1], at(2 * s.first), at(2 * s.first + 1), at(2 * s.second), at(2 * s.second + 1)});
     for_each_coupling(s, [&](std::size_t a, std::size_t b, double factor) {
       if (!fixed_[a] && !fixed_[b])
         by_entry[pattern_.entry(unknown[a], unknown[b])].push_back({static_cast<std::uint32_t>(e), factor});

@@ -4,8 +4,8 @@
 /// Static equilibrium of a spring system under one group of supports (paper, eq. 11).
 ///
 /// Solves K(k) u = f, K = Σ k_e b_e b_eᵀ, on the freedoms that no support fixes. With prescribed values u_c the
-/// right-hand side is f − K_fc u_c. Refinement sums the residual spring by spring, r = f − Σ k_e b_e (b_e·u), never with
-/// the assembled K: only so does it recover the digits that assembling stiff and soft springs has lost.
+/// right-hand side is f − K_fc u_c. Refinement sums the residual spring by spring, r = f − Σ k_e b_e (b_e·u), never
+/// with the assembled K: only so does it recover the digits that assembling stiff and soft springs has lost.
 ///
 /// Order    vectors of a group are "placed": [0, free) are the free freedoms as the factor wants them, [free, 2·nodes)
 ///          the fixed ones, ascending, holding their prescribed values. `place` maps a freedom (2·node + axis) there.
@@ -35,7 +35,7 @@ class EquilibriumGroup {
 
   /// A load of this group, placed. `reference` and `forces` are [2·nodes]; weights of fixed freedoms are 0.
   struct Load {
-    std::size_t index = 0;         ///< in the scene's load set
+    std::size_t index = 0;  ///< in the scene's load set
     std::vector<double> forces, reference;
   };
 
@@ -59,7 +59,8 @@ class EquilibriumGroup {
   /// |b_e|·|u|: what b_e·u could be without cancellation.
   [[nodiscard]] double elongation_magnitude(std::size_t spring, const double* u) const noexcept {
     const Ends& s = ends_[spring];
-    return std::abs(s.dx) * (std::abs(u[s.x2]) + std::abs(u[s.x1])) + std::abs(s.dy) * (std::abs(u[s.y2]) + std::abs(u[s.y1]));
+    return std::abs(s.dx) * (std::abs(u[s.x2]) + std::abs(u[s.x1])) +
+           std::abs(s.dy) * (std::abs(u[s.y2]) + std::abs(u[s.y1]));
   }
   /// v += factor · |b_e|.
   void add_spring_magnitude(std::size_t spring, double factor, double* v) const noexcept {
@@ -107,12 +108,12 @@ class EquilibriumGroup {
   std::size_t free_ = 0;
   CholeskyPattern pattern_;
   std::vector<std::size_t> place_, freedom_, residual_;
-  std::vector<double> prescribed_;            // [2·nodes] placed, 0 on free freedoms
+  std::vector<double> prescribed_;  // [2·nodes] placed, 0 on free freedoms
   bool moved_supports_ = false;
-  std::vector<double> weights_;               // [2·nodes] placed
+  std::vector<double> weights_;  // [2·nodes] placed
   std::vector<Load> loads_;
   std::vector<Ends> ends_;
-  std::vector<std::uint32_t> term_begins_;    // values[i] = Σ over its terms of factor · k
+  std::vector<std::uint32_t> term_begins_;  // values[i] = Σ over its terms of factor · k
   std::vector<Term> terms_;
 };
 
@@ -120,7 +121,7 @@ class EquilibriumGroup {
 struct Refinement {
   Status status = Status::ok;
   double error_estimate = 0.0;  ///< ‖δu₁‖/‖u‖ of the first correction
-  double residual = 0.0;        ///< backward error ‖r‖/(‖f‖ + ‖|K||u|‖) before the last step: what rounding leaves is 1e-16
+  double residual = 0.0;  ///< backward error ‖r‖/(‖f‖ + ‖|K||u|‖) before the last step: what rounding leaves is 1e-16
 };
 
 class Equilibrium {
@@ -159,10 +160,10 @@ class Equilibrium {
   const EquilibriumGroup& group_;
   Cholesky factor_;
   std::span<const double> stiffness_;
-  std::vector<double> displacements_;  // [loads][2·nodes]
+  std::vector<double> displacements_;                   // [loads][2·nodes]
   std::vector<double> residual_, magnitude_, scratch_;  // [2·nodes]
   double last_residual_ = 0.0;
-  double first_correction_ = 0.0;      // by solve_loads; 0 when it saw no need
+  double first_correction_ = 0.0;  // by solve_loads; 0 when it saw no need
   Work work_;
 };
 

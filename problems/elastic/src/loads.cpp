@@ -84,7 +84,8 @@ class PlateLoads {
     const double middle = body_.corner[1 - axis] + 0.5 * body_.size[1 - axis];
     std::vector<std::size_t> nodes = edge(axis, End::low);
     std::ranges::sort(nodes);
-    return *std::ranges::min_element(nodes, {}, [&](std::size_t i) { return std::abs(net_.nodes[i][1 - axis] - middle); });
+    return *std::ranges::min_element(nodes, {},
+                                     [&](std::size_t i) { return std::abs(net_.nodes[i][1 - axis] - middle); });
   }
 
   LoadSet edge_supported() const {

@@ -55,14 +55,16 @@ Net make_grid_net(const Body& body, std::size_t columns, std::size_t rows, const
   Net net;
   net.body = body;
   net.topology = topology;
-  net.grid = {columns, rows,
-              {body.size[0] / static_cast<double>(columns - 1), body.size[1] / static_cast<double>(rows - 1)}};
+  net.grid = {
+      columns, rows, {body.size[0] / static_cast<double>(columns - 1), body.size[1] / static_cast<double>(rows - 1)}};
   // Shares of the side, not sums of cells, so that the last node lies exactly on the border.
-  const auto share = [](std::size_t i, std::size_t count) { return static_cast<double>(i) / static_cast<double>(count - 1); };
+  const auto share = [](std::size_t i, std::size_t count) {
+    return static_cast<double>(i) / static_cast<double>(count - 1);
+  };
   for (std::size_t row = 0; row < rows; ++row)
     for (std::size_t column = 0; column < columns; ++column)
-      net.nodes.push_back({body.corner[0] + body.size[0] * share(column, columns),
-                           body.corner[1] + body.size[1] * share(row, rows)});
+      net.nodes.push_back(
+          {body.corner[0] + body.size[0] * share(column, columns), body.corner[1] + body.size[1] * share(row, rows)});
 
   const auto connect = [&net](std::size_t i, std::size_t j) {
     const Point d = {net.nodes[j][0] - net.nodes[i][0], net.nodes[j][1] - net.nodes[i][1]};

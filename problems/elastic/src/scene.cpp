@@ -18,7 +18,8 @@ Body read_body(const Options& options) {
   const std::vector<double> size = body.numbers("size");
   for (const double side : size)
     if (!(side > 0.0))
-      throw InputError(body.at("size").source, fmt::format("'size' in 'body' has a side of {}; sides must be > 0", side));
+      throw InputError(body.at("size").source,
+                       fmt::format("'size' in 'body' has a side of {}; sides must be > 0", side));
   return {{0.0, 0.0}, {size[0], size[1]}, body.number("thickness")};
 }
 
@@ -29,7 +30,8 @@ Material read_material(const Options& options) {
   if (plane == Plane::strain && poisson > 0.4999)
     throw InputError(material.at("poisson").source,
                      fmt::format("'poisson' is {}: in plane strain a body this incompressible can't be computed with; "
-                                 "it must be ≤ 0.4999", poisson));
+                                 "it must be ≤ 0.4999",
+                                 poisson));
   return {material.number("young"), poisson, plane};
 }
 
@@ -38,9 +40,11 @@ Net read_net(const Options& options, const Body& body) {
   const std::vector<double> counts = points.numbers("counts");
   for (const double count : counts)
     if (count < 2)
-      throw InputError(points.at("counts").source,
-                       fmt::format("'counts' is [{}, {}]: a grid with one row or column has no area; give at least 2 nodes "
-                                   "in each direction", counts[0], counts[1]));
+      throw InputError(
+          points.at("counts").source,
+          fmt::format("'counts' is [{}, {}]: a grid with one row or column has no area; give at least 2 nodes "
+                      "in each direction",
+                      counts[0], counts[1]));
   if (counts[0] * counts[1] > 1e6)
     throw InputError(points.at("counts").source,
                      fmt::format("'counts' is [{}, {}]: more than 1000000 nodes", counts[0], counts[1]));
@@ -50,20 +54,24 @@ Net read_net(const Options& options, const Body& body) {
   if (known == topologies().end()) {
     std::vector<std::string> names;
     for (const Topology& t : topologies()) names.push_back(t.name);
-    throw InputError(springs.at("topology").source, fmt::format("unknown topology '{}'{}", topology, name_hint(topology, names)));
+    throw InputError(springs.at("topology").source,
+                     fmt::format("unknown topology '{}'{}", topology, name_hint(topology, names)));
   }
   if (known->mechanism)
-    throw InputError(springs.at("topology").source,
-                     fmt::format("topology '{}' is a mechanism: without diagonals its cells shear without resistance; take "
-                                 "'single', 'alternating' or 'crossed'", topology));
+    throw InputError(
+        springs.at("topology").source,
+        fmt::format("topology '{}' is a mechanism: without diagonals its cells shear without resistance; take "
+                    "'single', 'alternating' or 'crossed'",
+                    topology));
   return make_grid_net(body, static_cast<std::size_t>(counts[0]), static_cast<std::size_t>(counts[1]), topology);
 }
 
 std::array<double, 2> read_bounds(const Options& springs, double unit) {
   const std::vector<double> bounds = springs.numbers("bounds");
   if (!(0.0 < bounds[0] && bounds[0] < bounds[1]))
-    throw InputError(springs.at("bounds").source,
-                     fmt::format("'bounds' is [{}, {}]; it must be [lower, upper] with 0 < lower < upper", bounds[0], bounds[1]));
+    throw InputError(
+        springs.at("bounds").source,
+        fmt::format("'bounds' is [{}, {}]; it must be [lower, upper] with 0 < lower < upper", bounds[0], bounds[1]));
   const std::array<double, 2> scaled = {bounds[0] * unit, bounds[1] * unit};
   if (!std::isnormal(scaled[0]) || !std::isnormal(scaled[1]))
     throw InputError(springs.at("bounds").source, "'bounds' × young × thickness leaves the range of double precision");
@@ -76,10 +84,12 @@ std::vector<double> read_start_file(const std::string& file, const Value& where,
   const std::vector<double> k = read_stiffness_file(context.directory / file, scene.net);
   for (std::size_t e = 0; e < k.size(); ++e)
     if (k[e] < scene.stiffness_bounds[0] || k[e] > scene.stiffness_bounds[1])
-      throw InputError(where.source,
-                       fmt::format("the start's spring ({}, {}) has stiffness {}, outside the bounds [{}, {}]; change the "
-                                   "file or 'bounds'", scene.net.springs[e].first, scene.net.springs[e].second, k[e],
-                                   scene.stiffness_bounds[0], scene.stiffness_bounds[1]));
+      throw InputError(
+          where.source,
+          fmt::format("the start's spring ({}, {}) has stiffness {}, outside the bounds [{}, {}]; change the "
+                      "file or 'bounds'",
+                      scene.net.springs[e].first, scene.net.springs[e].second, k[e], scene.stiffness_bounds[0],
+                      scene.stiffness_bounds[1]));
   return k;
 }
 

@@ -49,7 +49,8 @@ std::vector<double> read_stiffness_file(const std::filesystem::path& path, const
   const Value file = parse_json(read_text(path), path.string());
   const Value* springs = file.is_table() ? file.find("springs") : nullptr;
   if (!springs || !springs->is_list())
-    throw InputError({path.string(), 0}, "a stiffness file must be {\"springs\": [{\"nodes\": [i, j], \"stiffness\": k}, …]}");
+    throw InputError({path.string(), 0},
+                     "a stiffness file must be {\"springs\": [{\"nodes\": [i, j], \"stiffness\": k}, …]}");
 
   std::map<std::pair<std::int64_t, std::int64_t>, std::size_t> index;
   for (std::size_t e = 0; e < net.springs.size(); ++e)
@@ -60,17 +61,20 @@ std::vector<double> read_stiffness_file(const std::filesystem::path& path, const
     const Entry entry = parse_entry(item);
     const std::string name = fmt::format("spring ({}, {})", entry.nodes.first, entry.nodes.second);
     const auto found = index.find(entry.nodes);
-    if (found == index.end()) throw InputError(item.source, name + " is unknown: the net has no spring between these nodes");
+    if (found == index.end())
+      throw InputError(item.source, name + " is unknown: the net has no spring between these nodes");
     if (seen[found->second]) throw InputError(item.source, name + " stands twice; every spring must stand once");
     if (!(entry.stiffness > 0.0) || !std::isnormal(entry.stiffness))
-      throw InputError(item.source, fmt::format("{} has stiffness {}; it must be a positive number", name, entry.stiffness));
+      throw InputError(item.source,
+                       fmt::format("{} has stiffness {}; it must be a positive number", name, entry.stiffness));
     seen[found->second] = true;
     stiffness[found->second] = entry.stiffness;
   }
   for (std::size_t e = 0; e < net.springs.size(); ++e)
     if (!seen[e])
-      throw InputError({path.string(), 0}, fmt::format("spring ({}, {}) is missing; every spring of the net must stand once",
-                                                       net.springs[e].first, net.springs[e].second));
+      throw InputError({path.string(), 0},
+                       fmt::format("spring ({}, {}) is missing; every spring of the net must stand once",
+                                   net.springs[e].first, net.springs[e].second));
   return stiffness;
 }
 

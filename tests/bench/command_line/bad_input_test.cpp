@@ -14,14 +14,10 @@ namespace {
 std::string plate_with(const std::string& key, const std::string& line) {
   std::string text;
   const std::vector<std::pair<std::string, std::string>> lines = {
-      {"study", "[study]\nname = \"plate\"\nrepeats = 1\n"},
-      {"budget", "[budget]\nevaluations = 10\n"},
-      {"problem", "[problem]\nkind = \"elastic\"\n"},
-      {"body", "body = { size = [4.0, 4.0] }\n"},
-      {"material", "material = { poisson = 0.3 }\n"},
-      {"points", "points = { counts = [3, 3] }\n"},
-      {"springs", "springs = { topology = \"crossed\" }\n"},
-      {"optimizer", "[[optimizer]]\nuse = \"annealing\"\n"},
+      {"study", "[study]\nname = \"plate\"\nrepeats = 1\n"}, {"budget", "[budget]\nevaluations = 10\n"},
+      {"problem", "[problem]\nkind = \"elastic\"\n"},        {"body", "body = { size = [4.0, 4.0] }\n"},
+      {"material", "material = { poisson = 0.3 }\n"},        {"points", "points = { counts = [3, 3] }\n"},
+      {"springs", "springs = { topology = \"crossed\" }\n"}, {"optimizer", "[[optimizer]]\nuse = \"annealing\"\n"},
   };
   for (const auto& [name, original] : lines) text += name == key ? line + "\n" : original;
   return text;
@@ -47,25 +43,46 @@ TEST_P(BadStudies, AreRefusedWithTheReason) {
 }
 
 const BadStudy kBadStudies[] = {
-    {"UnknownTable", "budget", "[budgett]\nevaluations = 10", "plate.toml:4: unknown table or key 'budgett' in the study; did you mean 'budget'?"},
-    {"UnknownKey", "material", "material = { poison = 0.3 }", "plate.toml:9: unknown key 'poison' in 'material' of problem 'elastic'; did you mean 'poisson'?"},
-    {"WrongType", "material", "material = { poisson = \"soft\" }", "plate.toml:9: 'poisson' of 'material' of problem 'elastic' must be a number, not a text"},
-    {"NotANumber", "material", "material = { young = nan }", "plate.toml:9: 'young' of 'material' of problem 'elastic' must be finite, not nan"},
-    {"Infinite", "material", "material = { young = inf }", "plate.toml:9: 'young' of 'material' of problem 'elastic' must be finite, not inf"},
-    {"NegativeSize", "body", "body = { size = [4.0, -4.0] }", "plate.toml:8: entry 2 of 'size' of 'body' of problem 'elastic' is -4; allowed: size > 0"},
-    {"IncompressibleMaterial", "material", "material = { poisson = 0.5 }", "plate.toml:9: 'poisson' of 'material' of problem 'elastic' is 0.5; allowed: -1 < poisson < 0.5"},
-    {"ImpossiblePoisson", "material", "material = { poisson = -1.0 }", "plate.toml:9: 'poisson' of 'material' of problem 'elastic' is -1; allowed: -1 < poisson < 0.5"},
-    {"OneRow", "points", "points = { counts = [5, 1] }", "plate.toml:10: 'counts' is [5, 1]: a grid with one row or column has no area; give at least 2 nodes in each direction"},
-    {"UnknownOptimizer", "optimizer", "[[optimizer]]\nuse = \"anealing\"", "plate.toml:13: unknown optimizer 'anealing'; did you mean 'annealing'?"},
-    {"UnknownKind", "problem", "[problem]\nkind = \"elastik\"", "plate.toml:7: unknown problem 'elastik'; did you mean 'elastic'?"},
-    {"UnknownTopology", "springs", "springs = { topology = \"cross\" }", "plate.toml:11: unknown topology 'cross'; did you mean 'crossed'?"},
-    {"Mechanism", "springs", "springs = { topology = \"grid\" }", "plate.toml:11: topology 'grid' is a mechanism: without diagonals its cells shear without resistance; take 'single', 'alternating' or 'crossed'"},
-    {"TwoOptimizersOfOneLabel", "optimizer", "[[optimizer]]\nuse = \"annealing\"\n[[optimizer]]\nuse = \"annealing\"", "plate.toml:14: two optimizers have the label 'annealing' (the other is on line 12); give one a 'label' of its own"},
-    {"ForeignOption", "optimizer", "[[optimizer]]\nuse = \"random-search\"\noptions = { step = 0.1 }", "plate.toml:14: unknown key 'step' in optimizer 'random-search'; it has no options"},
+    {"UnknownTable", "budget", "[budgett]\nevaluations = 10",
+     "plate.toml:4: unknown table or key 'budgett' in the study; did you mean 'budget'?"},
+    {"UnknownKey", "material", "material = { poison = 0.3 }",
+     "plate.toml:9: unknown key 'poison' in 'material' of problem 'elastic'; did you mean 'poisson'?"},
+    {"WrongType", "material", "material = { poisson = \"soft\" }",
+     "plate.toml:9: 'poisson' of 'material' of problem 'elastic' must be a number, not a text"},
+    {"NotANumber", "material", "material = { young = nan }",
+     "plate.toml:9: 'young' of 'material' of problem 'elastic' must be finite, not nan"},
+    {"Infinite", "material", "material = { young = inf }",
+     "plate.toml:9: 'young' of 'material' of problem 'elastic' must be finite, not inf"},
+    {"NegativeSize", "body", "body = { size = [4.0, -4.0] }",
+     "plate.toml:8: entry 2 of 'size' of 'body' of problem 'elastic' is -4; allowed: size > 0"},
+    {"IncompressibleMaterial", "material", "material = { poisson = 0.5 }",
+     "plate.toml:9: 'poisson' of 'material' of problem 'elastic' is 0.5; allowed: -1 < poisson < 0.5"},
+    {"ImpossiblePoisson", "material", "material = { poisson = -1.0 }",
+     "plate.toml:9: 'poisson' of 'material' of problem 'elastic' is -1; allowed: -1 < poisson < 0.5"},
+    {"OneRow", "points", "points = { counts = [5, 1] }",
+     "plate.toml:10: 'counts' is [5, 1]: a grid with one row or column has no area; give at least 2 nodes in each "
+     "direction"},
+    {"UnknownOptimizer", "optimizer", "[[optimizer]]\nuse = \"anealing\"",
+     "plate.toml:13: unknown optimizer 'anealing'; did you mean 'annealing'?"},
+    {"UnknownKind", "problem", "[problem]\nkind = \"elastik\"",
+     "plate.toml:7: unknown problem 'elastik'; did you mean 'elastic'?"},
+    {"UnknownTopology", "springs", "springs = { topology = \"cross\" }",
+     "plate.toml:11: unknown topology 'cross'; did you mean 'crossed'?"},
+    {"Mechanism", "springs", "springs = { topology = \"grid\" }",
+     "plate.toml:11: topology 'grid' is a mechanism: without diagonals its cells shear without resistance; take "
+     "'single', 'alternating' or 'crossed'"},
+    {"TwoOptimizersOfOneLabel", "optimizer", "[[optimizer]]\nuse = \"annealing\"\n[[optimizer]]\nuse = \"annealing\"",
+     "plate.toml:14: two optimizers have the label 'annealing' (the other is on line 12); give one a 'label' of its "
+     "own"},
+    {"ForeignOption", "optimizer", "[[optimizer]]\nuse = \"random-search\"\noptions = { step = 0.1 }",
+     "plate.toml:14: unknown key 'step' in optimizer 'random-search'; it has no options"},
     {"NoBudget", "budget", "[budget]", "plate.toml: the study sets no budget; give [budget] seconds or evaluations"},
-    {"NoOptimizer", "optimizer", "", "plate.toml: the study has no optimizer to compare; add an [[optimizer]] table, e.g. use = \"annealing\""},
-    {"BadToml", "body", "body = { size = [4.0, 4.0 }", "plate.toml:8: not valid TOML: Error while parsing array: expected comma or closing ']', saw '}'"},
-    {"EmptyLabel", "optimizer", "[[optimizer]]\nuse = \"annealing\"\nlabel = \"\"", "plate.toml:14: 'label' of [[optimizer]] is empty; it names rows and results"},
+    {"NoOptimizer", "optimizer", "",
+     "plate.toml: the study has no optimizer to compare; add an [[optimizer]] table, e.g. use = \"annealing\""},
+    {"BadToml", "body", "body = { size = [4.0, 4.0 }",
+     "plate.toml:8: not valid TOML: Error while parsing array: expected comma or closing ']', saw '}'"},
+    {"EmptyLabel", "optimizer", "[[optimizer]]\nuse = \"annealing\"\nlabel = \"\"",
+     "plate.toml:14: 'label' of [[optimizer]] is empty; it names rows and results"},
 };
 INSTANTIATE_TEST_SUITE_P(Studies, BadStudies, testing::ValuesIn(kBadStudies),
                          [](const auto& row) { return std::string(row.param.name); });
@@ -83,8 +100,9 @@ TEST(BadStudy, WithTwoProblemsOfOneLabelIsRefused) {
   folder.write("two.toml", "[[problem]]\nkind = \"elastic\"\n[[problem]]\nkind = \"elastic\"\n");
   const Output output = run(folder, {"compare", "two.toml"});
   EXPECT_EQ(output.exit, 2);
-  EXPECT_EQ(output.err, "nodal: two.toml:3: two problems have the label 'elastic' (the other is on line 1); give one a 'label' of "
-                        "its own\n");
+  EXPECT_EQ(output.err,
+            "nodal: two.toml:3: two problems have the label 'elastic' (the other is on line 1); give one a 'label' of "
+            "its own\n");
 }
 
 struct BadFile {
@@ -104,18 +122,24 @@ TEST_P(BadStiffnessFiles, AreRefusedWithTheReason) {
   EXPECT_EQ(output.err, std::string("nodal: ") + GetParam().message + "\n");
 }
 
-#define FIVE_SPRINGS                                                                                        \
+#define FIVE_SPRINGS                                                                                         \
   "{\"nodes\":[0,1],\"stiffness\":1},{\"nodes\":[2,3],\"stiffness\":1},{\"nodes\":[0,2],\"stiffness\":1},\n" \
   "{\"nodes\":[1,3],\"stiffness\":1},{\"nodes\":[0,3],\"stiffness\":1}"
 const BadFile kBadFiles[] = {
-    {"MissingSpring", "{\"springs\":[" FIVE_SPRINGS "]}", "k.json: spring (1, 2) is missing; every spring of the net must stand once"},
-    {"DoubledSpring", "{\"springs\":[" FIVE_SPRINGS ",\n{\"nodes\":[3,0],\"stiffness\":1}]}", "k.json:3: spring (0, 3) stands twice; every spring must stand once"},
+    {"MissingSpring", "{\"springs\":[" FIVE_SPRINGS "]}",
+     "k.json: spring (1, 2) is missing; every spring of the net must stand once"},
+    {"DoubledSpring", "{\"springs\":[" FIVE_SPRINGS ",\n{\"nodes\":[3,0],\"stiffness\":1}]}",
+     "k.json:3: spring (0, 3) stands twice; every spring must stand once"},
     {"UnknownSpring", "{\"springs\":[" FIVE_SPRINGS ",\n{\"nodes\":[1,7],\"stiffness\":1}]}",
      "k.json:3: spring (1, 7) is unknown: the net has no spring between these nodes"},
-    {"NegativeStiffness", "{\"springs\":[" FIVE_SPRINGS ",\n{\"nodes\":[1,2],\"stiffness\":-1}]}", "k.json:3: spring (1, 2) has stiffness -1; it must be a positive number"},
-    {"TextAsStiffness", "{\"springs\":[" FIVE_SPRINGS ",\n{\"nodes\":[1,2],\"stiffness\":\"one\"}]}", "k.json:3: a spring must be {\"nodes\": [i, j], \"stiffness\": k}"},
-    {"NoSprings", "{\"nodes\": 4}", "k.json: a stiffness file must be {\"springs\": [{\"nodes\": [i, j], \"stiffness\": k}, …]}"},
-    {"NoJson", "springs: none", "k.json:1: not valid JSON: syntax error while parsing value - invalid literal; last read: 's'"},
+    {"NegativeStiffness", "{\"springs\":[" FIVE_SPRINGS ",\n{\"nodes\":[1,2],\"stiffness\":-1}]}",
+     "k.json:3: spring (1, 2) has stiffness -1; it must be a positive number"},
+    {"TextAsStiffness", "{\"springs\":[" FIVE_SPRINGS ",\n{\"nodes\":[1,2],\"stiffness\":\"one\"}]}",
+     "k.json:3: a spring must be {\"nodes\": [i, j], \"stiffness\": k}"},
+    {"NoSprings", "{\"nodes\": 4}",
+     "k.json: a stiffness file must be {\"springs\": [{\"nodes\": [i, j], \"stiffness\": k}, …]}"},
+    {"NoJson", "springs: none",
+     "k.json:1: not valid JSON: syntax error while parsing value - invalid literal; last read: 's'"},
 };
 #undef FIVE_SPRINGS
 INSTANTIATE_TEST_SUITE_P(Files, BadStiffnessFiles, testing::ValuesIn(kBadFiles),
@@ -140,23 +164,43 @@ TEST_P(BadCalls, AreRefusedWithTheReason) {
 }
 
 const BadCall kBadCalls[] = {
-    {"NoCommand", {}, "no command given; valid: 'compare', 'evaluate', 'fit', 'report', 'explain', 'list'; see nodal --help"},
+    {"NoCommand",
+     {},
+     "no command given; valid: 'compare', 'evaluate', 'fit', 'report', 'explain', 'list'; see nodal --help"},
     {"UnknownCommand", {"compair", "quick.toml"}, "'compair' is no command; did you mean 'compare'?"},
-    {"UnknownOption", {"compare", "quick.toml", "--repeat", "3"}, "'--repeat' is no option of nodal compare; did you mean '--repeats'?"},
+    {"UnknownOption",
+     {"compare", "quick.toml", "--repeat", "3"},
+     "'--repeat' is no option of nodal compare; did you mean '--repeats'?"},
     {"NoStudy", {"compare"}, "study is required; see nodal compare --help"},
     {"MissingStudy", {"compare", "other.toml"}, "cannot read study 'other.toml': No such file or directory"},
     {"FolderAsStudy", {"compare", "."}, "cannot read study '.': Is a directory"},
-    {"UnknownLabel", {"compare", "quick.toml", "--only", "anneling"}, "--only: no optimizer of the study is labelled 'anneling'; did you mean 'annealing'?"},
-    {"NegativeSeconds", {"compare", "quick.toml", "--seconds", "-1"}, "--seconds: '-1' is no number above 0; see nodal compare --help"},
-    {"ZeroRepeats", {"compare", "quick.toml", "--repeats", "0"}, "--repeats: '0' is no number above 0; see nodal compare --help"},
-    {"FileAsStore", {"compare", "quick.toml", "--out", "a_file"}, "cannot write 'a_file': Not a directory; what was stored before stays valid"},
-    {"NoStore", {"report", "nowhere"}, "'nowhere' is not a store: it has no manifest.json; give the directory that nodal compare wrote"},
-    {"UnknownProblem", {"evaluate", "quick.toml", "--problem", "plates"},
+    {"UnknownLabel",
+     {"compare", "quick.toml", "--only", "anneling"},
+     "--only: no optimizer of the study is labelled 'anneling'; did you mean 'annealing'?"},
+    {"NegativeSeconds",
+     {"compare", "quick.toml", "--seconds", "-1"},
+     "--seconds: '-1' is no number above 0; see nodal compare --help"},
+    {"ZeroRepeats",
+     {"compare", "quick.toml", "--repeats", "0"},
+     "--repeats: '0' is no number above 0; see nodal compare --help"},
+    {"FileAsStore",
+     {"compare", "quick.toml", "--out", "a_file"},
+     "cannot write 'a_file': Not a directory; what was stored before stays valid"},
+    {"NoStore",
+     {"report", "nowhere"},
+     "'nowhere' is not a store: it has no manifest.json; give the directory that nodal compare wrote"},
+    {"UnknownProblem",
+     {"evaluate", "quick.toml", "--problem", "plates"},
      "--problem: no problem of the study is labelled 'plates'; valid: 'elastic'"},
-    {"UnknownMethod", {"fit", "quick.toml", "--with", "anneal"},
+    {"UnknownMethod",
+     {"fit", "quick.toml", "--with", "anneal"},
      "--with: 'anneal' is neither a label of the study nor an optimizer; did you mean 'annealing'?"},
-    {"UnwritableExport", {"fit", "quick.toml", "--export", "no/where/fit.json"}, "--export: cannot write 'no/where/fit.json'; give a file in a folder that exists and may be written"},
-    {"UnknownList", {"list", "tables"}, "what: tables not in {optimizers,problems,topologies,scenes}; see nodal list --help"},
+    {"UnwritableExport",
+     {"fit", "quick.toml", "--export", "no/where/fit.json"},
+     "--export: cannot write 'no/where/fit.json'; give a file in a folder that exists and may be written"},
+    {"UnknownList",
+     {"list", "tables"},
+     "what: tables not in {optimizers,problems,topologies,scenes}; see nodal list --help"},
 };
 INSTANTIATE_TEST_SUITE_P(Calls, BadCalls, testing::ValuesIn(kBadCalls),
                          [](const auto& row) { return std::string(row.param.name); });
@@ -173,8 +217,10 @@ TEST(BadStart, OutsideTheBoundsIsRefused) {
   folder.write("k.json", text);
   const Output output = run(folder, {"compare", "plate.toml"});
   EXPECT_EQ(output.exit, 2);
-  EXPECT_EQ(output.err, "nodal: plate.toml:11: the start's spring (0, 1) has stiffness 1000, outside the bounds [0.0001, 100]; change "
-                        "the file or 'bounds'\n");
+  EXPECT_EQ(
+      output.err,
+      "nodal: plate.toml:11: the start's spring (0, 1) has stiffness 1000, outside the bounds [0.0001, 100]; change "
+      "the file or 'bounds'\n");
 }
 
 }  // namespace

@@ -38,7 +38,6 @@ TEST(Compare, RunsOnlyWhatIsMissing) {
   EXPECT_EQ(count_lines(folder.path() / "store" / "trials"), 5u);
 }
 
-
 // Diagonals twenty decades softer than the rest: more than double precision carries, so annealing has nowhere to start.
 TEST(Compare, ExitsWithOneWhenATrialFailed) {
   const Folder folder;
@@ -96,7 +95,8 @@ TEST(Evaluate, TellsErrorPerLoadAndBearingForces) {
   folder.write("quick.toml", kQuickStudy);
   const Output text = run(folder, {"evaluate", "quick.toml"});
   EXPECT_EQ(text.exit, 0);
-  for (const char* load : {"stretch-x", "stretch-y", "shear-x", "shear-y"}) EXPECT_TRUE(contains(text.out, load)) << text.out;
+  for (const char* load : {"stretch-x", "stretch-y", "shear-x", "shear-y"})
+    EXPECT_TRUE(contains(text.out, load)) << text.out;
   const Output json = run(folder, {"evaluate", "quick.toml", "--json"});
   const Value state = parse_json(json.out, "stdout");
   EXPECT_EQ(state.at("nodes").integer(), 9);
@@ -110,12 +110,16 @@ TEST(Evaluate, TellsErrorPerLoadAndBearingForces) {
 TEST(Fit, ExportsWhatEvaluateReads) {
   const Folder folder;
   folder.write("quick.toml", kQuickStudy);
-  const Output fit = run(folder, {"fit", "quick.toml", "--with", "annealing", "--evaluations", "2000", "--export", "fit.json"});
+  const Output fit =
+      run(folder, {"fit", "quick.toml", "--with", "annealing", "--evaluations", "2000", "--export", "fit.json"});
   EXPECT_EQ(fit.exit, 0) << fit.err;
   EXPECT_EQ(fit.out, "");
-  const double start = parse_json(run(folder, {"evaluate", "quick.toml", "--json"}).out, "start").at("quality").number();
+  const double start =
+      parse_json(run(folder, {"evaluate", "quick.toml", "--json"}).out, "start").at("quality").number();
   const double fitted =
-      parse_json(run(folder, {"evaluate", "quick.toml", "--json", "--stiffness", "fit.json"}).out, "fit").at("quality").number();
+      parse_json(run(folder, {"evaluate", "quick.toml", "--json", "--stiffness", "fit.json"}).out, "fit")
+          .at("quality")
+          .number();
   EXPECT_LT(fitted, 0.5 * start);
 }
 
@@ -131,13 +135,16 @@ TEST(Fit, SaysWhichMethodItChoseAndWhy) {
 // The default study runs in every build, and says what it has to leave out and how to get it.
 TEST(DefaultStudy, RunsWithWhatThisBuildHas) {
   const Folder folder;
-  const Output output = run(folder, {"compare", NODAL_SOURCE_DIR "/bench/scenes/plate.toml", "--repeats", "1", "--evaluations", "50"});
+  const Output output =
+      run(folder, {"compare", NODAL_SOURCE_DIR "/bench/scenes/plate.toml", "--repeats", "1", "--evaluations", "50"});
   EXPECT_EQ(output.exit, 0) << output.err;
   EXPECT_TRUE(contains(output.out, "annealing (baseline)") && contains(output.out, "random-search")) << output.out;
-  const std::string no_nlopt = "left out: 'nlopt-direct-l': this build has no NLopt: install libnlopt-dev and libnlopt-cxx-dev and "
-                               "configure with -DNODAL_NLOPT=ON\n";
-  const std::string no_ceres = "left out: 'ceres-dogleg': this build has no Ceres: install libceres-dev and configure with "
-                               "-DNODAL_CERES=ON\n";
+  const std::string no_nlopt =
+      "left out: 'nlopt-direct-l': this build has no NLopt: install libnlopt-dev and libnlopt-cxx-dev and "
+      "configure with -DNODAL_NLOPT=ON\n";
+  const std::string no_ceres =
+      "left out: 'ceres-dogleg': this build has no Ceres: install libceres-dev and configure with "
+      "-DNODAL_CERES=ON\n";
   EXPECT_EQ(contains(output.err, no_nlopt), !NODAL_HAVE_NLOPT) << output.err;
   EXPECT_EQ(contains(output.err, no_ceres), !NODAL_HAVE_CERES) << output.err;
   EXPECT_EQ(contains(output.out, "nlopt-crs2-lm"), static_cast<bool>(NODAL_HAVE_NLOPT)) << output.out;
@@ -160,7 +167,9 @@ TEST(List, NamesWhatThisBuildHas) {
   const Folder folder;
   const Output optimizers = run(folder, {"list", "optimizers"});
   EXPECT_TRUE(contains(optimizers.out, "annealing: ")) << optimizers.out;
-  EXPECT_TRUE(contains(optimizers.out, "initial_temperature (number [quality at the start]; initial_temperature > 0; default 2e-04)")) << optimizers.out;
+  EXPECT_TRUE(contains(optimizers.out,
+                       "initial_temperature (number [quality at the start]; initial_temperature > 0; default 2e-04)"))
+      << optimizers.out;
   EXPECT_TRUE(contains(run(folder, {"list", "problems"}).out, "elastic: "));
   EXPECT_TRUE(contains(run(folder, {"list", "topologies"}).out, "crossed: "));
   EXPECT_TRUE(contains(run(folder, {"list", "scenes"}).out, "plate.toml: The 25-node plate"));

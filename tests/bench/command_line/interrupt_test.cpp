@@ -50,8 +50,11 @@ TEST_P(Interrupted, ComparisonKeepsWhatFinishedAndGoesOnLater) {
   const std::size_t kept = count_lines(trials);
   EXPECT_GE(kept, 2u);
   EXPECT_LT(kept, 6u);
-  EXPECT_NE(output.err.find("interrupted: " + std::to_string(kept) + " trials of this run are stored in 'results/slow'; the same "
-                            "command goes on from there\n"), std::string::npos) << output.err;
+  EXPECT_NE(output.err.find("interrupted: " + std::to_string(kept) +
+                            " trials of this run are stored in 'results/slow'; the same "
+                            "command goes on from there\n"),
+            std::string::npos)
+      << output.err;
 
   const Output again = run(folder, {"compare", "slow.toml"});
   EXPECT_EQ(again.exit, 0);
@@ -82,7 +85,8 @@ TEST(Killed, ComparisonGoesOnFromWhatIsWhole) {
   }
   const Output again = run(folder, {"compare", "slow.toml"});
   EXPECT_EQ(again.exit, 0) << again.err;
-  EXPECT_NE(again.err.find("a line that is no whole record was dropped; its trial runs again"), std::string::npos) << again.err;
+  EXPECT_NE(again.err.find("a line that is no whole record was dropped; its trial runs again"), std::string::npos)
+      << again.err;
   const Store store = Store::open_existing(folder.path() / "results" / "slow");
   EXPECT_EQ(store.records().size(), 6u);
 }

@@ -16,7 +16,8 @@ namespace {
 
 [[noreturn]] void become_program(const std::filesystem::path& folder, const std::vector<std::string>& arguments) {
   if (::chdir(folder.c_str()) != 0) ::_exit(126);
-  const int out = ::open("stdout", O_CREAT | O_TRUNC | O_WRONLY, 0666), err = ::open("stderr", O_CREAT | O_TRUNC | O_WRONLY, 0666);
+  const int out = ::open("stdout", O_CREAT | O_TRUNC | O_WRONLY, 0666),
+            err = ::open("stderr", O_CREAT | O_TRUNC | O_WRONLY, 0666);
   ::dup2(out, STDOUT_FILENO);
   ::dup2(err, STDERR_FILENO);
   std::vector<char*> words = {const_cast<char*>(NODAL_PROGRAM)};
@@ -44,7 +45,8 @@ std::filesystem::path Folder::write(const std::string& name, const std::string& 
   return path_ / name;
 }
 
-Started::Started(const Folder& folder, const std::vector<std::string>& arguments) : folder_(folder), process_(::fork()) {
+Started::Started(const Folder& folder, const std::vector<std::string>& arguments)
+    : folder_(folder), process_(::fork()) {
   if (process_ == 0) become_program(folder.path(), arguments);
 }
 
@@ -55,7 +57,9 @@ Output Started::wait() {
           read_file(folder_.path() / "stderr")};
 }
 
-Output run(const Folder& folder, const std::vector<std::string>& arguments) { return Started(folder, arguments).wait(); }
+Output run(const Folder& folder, const std::vector<std::string>& arguments) {
+  return Started(folder, arguments).wait();
+}
 
 std::string read_file(const std::filesystem::path& path) {
   std::ifstream in(path, std::ios::binary);

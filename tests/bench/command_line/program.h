@@ -12,7 +12,7 @@
 namespace nodal::program {
 
 struct Output {
-  int exit = -1;     ///< exit code, or 128 + signal
+  int exit = -1;  ///< exit code, or 128 + signal
   std::string out, err;
 };
 

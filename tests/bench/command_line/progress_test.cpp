@@ -46,7 +46,8 @@ TEST(Progress, IsALinePerTrialElsewhere) {
   progress.finished(finished_record(), 1, 12);
   EXPECT_EQ(testing::internal::GetCapturedStderr(),
             "running 12 trials\n"
-            "[ 1/12] annealing, repeat 3: relative error 0.0174, 20880 evaluations, 0.31 s (finished: 144 temperatures done)\n");
+            "[ 1/12] annealing, repeat 3: relative error 0.0174, 20880 evaluations, 0.31 s (finished: 144 temperatures "
+            "done)\n");
 }
 
 }  // namespace

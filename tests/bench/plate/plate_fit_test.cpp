@@ -29,7 +29,8 @@ TEST(PlateFit, IsFoundByLevenbergMarquardtInFewerThanFortyEvaluations) {
 }
 
 TEST(PlateFit, IsExactAtOneThird) {
-  const TrialRecord record = run({.poisson = "0.3333333333333333", .optimizer = kLevenbergMarquardt, .budget = "evaluations = 1000"});
+  const TrialRecord record =
+      run({.poisson = "0.3333333333333333", .optimizer = kLevenbergMarquardt, .budget = "evaluations = 1000"});
   EXPECT_LT(*record.best->summary.quality, 1e-8);
 }
 
@@ -45,20 +46,25 @@ class BestKnownFit : public testing::TestWithParam<BestKnown> {};
 // from several starts.
 TEST_P(BestKnownFit, IsReached) {
   const BestKnown& row = GetParam();
-  const TrialRecord record = run({.poisson = row.poisson, .optimizer = kMultiStart, .budget = "evaluations = 6000\ntarget_gap = 2e-6",
+  const TrialRecord record = run({.poisson = row.poisson,
+                                  .optimizer = kMultiStart,
+                                  .budget = "evaluations = 6000\ntarget_gap = 2e-6",
                                   .best_known = std::to_string(row.quality)});
   ASSERT_TRUE(record.best.has_value());
   EXPECT_NEAR(*record.best->summary.quality, row.quality, 1.4e-4);
   EXPECT_LE(record.options.at("starts").integer(), row.starts);
 }
 INSTANTIATE_TEST_SUITE_P(Poisson, BestKnownFit,
-                         testing::Values(BestKnown{"0.2", 2.3209, 30}, BestKnown{"0.25", 1.7857, 30}, BestKnown{"0.3", 0.7376},
-                                         BestKnown{"0.4", 1.3843}, BestKnown{"0.45", 2.2296}, BestKnown{"0.49", 2.8517, 30}));
+                         testing::Values(BestKnown{"0.2", 2.3209, 30}, BestKnown{"0.25", 1.7857, 30},
+                                         BestKnown{"0.3", 0.7376}, BestKnown{"0.4", 1.3843}, BestKnown{"0.45", 2.2296},
+                                         BestKnown{"0.49", 2.8517, 30}));
 
 class TiedFit : public testing::TestWithParam<BestKnown> {};
 
 TEST_P(TiedFit, ByDirectionIsReached) {
-  const TrialRecord record = run({.poisson = GetParam().poisson, .parameters = "by-direction", .optimizer = kLevenbergMarquardt,
+  const TrialRecord record = run({.poisson = GetParam().poisson,
+                                  .parameters = "by-direction",
+                                  .optimizer = kLevenbergMarquardt,
                                   .budget = "evaluations = 1000"});
   ASSERT_TRUE(record.best.has_value());
   EXPECT_EQ(record.best->x.size(), 3u);

@@ -30,10 +30,12 @@ struct PlateStudy {
 };
 
 inline Study make_study(const PlateStudy& s) {
-  const std::string known = s.best_known.empty() ? "" : "best_known = { quality = " + s.best_known + ", origin = \"test\" }\n";
-  const std::string text = "[study]\nname = \"plate\"\nrepeats = 2\nseed = " + std::to_string(s.seed) + "\n[budget]\n" + s.budget +
-                           "\n[problem]\nkind = \"elastic\"\n" + known + "material = { young = 1.0, poisson = " + s.poisson +
-                           " }\nsprings = { parameters = \"" + s.parameters + "\" }\n[[optimizer]]\n" + s.optimizer + "\n";
+  const std::string known =
+      s.best_known.empty() ? "" : "best_known = { quality = " + s.best_known + ", origin = \"test\" }\n";
+  const std::string text = "[study]\nname = \"plate\"\nrepeats = 2\nseed = " + std::to_string(s.seed) + "\n[budget]\n" +
+                           s.budget + "\n[problem]\nkind = \"elastic\"\n" + known +
+                           "material = { young = 1.0, poisson = " + s.poisson + " }\nsprings = { parameters = \"" +
+                           s.parameters + "\" }\n[[optimizer]]\n" + s.optimizer + "\n";
   return parse_study(text, "plate.toml", components());
 }
 

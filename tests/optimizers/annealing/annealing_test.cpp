@@ -18,7 +18,7 @@ struct Annealed {
 };
 
 Annealed anneal(const toy::ToyProblem& problem, const Settings& settings, std::uint64_t key = 1,
-           const Limits& limits = {.evaluations = 1000000}) {
+                const Limits& limits = {.evaluations = 1000000}) {
   const auto evaluator = problem.make_evaluator();
   Meter meter(problem, *evaluator, problem.space().start(), limits);
   RandomStream random(key);

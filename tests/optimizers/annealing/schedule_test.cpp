@@ -56,7 +56,7 @@ TEST(Moves, AreReflectedAtTheBounds) {
   EXPECT_DOUBLE_EQ(reflect(1.25, -1.0, 1.0), 0.75);
   EXPECT_DOUBLE_EQ(reflect(-1.25, -1.0, 1.0), -0.75);
   EXPECT_DOUBLE_EQ(reflect(0.5, -1.0, 1.0), 0.5);
-  EXPECT_DOUBLE_EQ(reflect(3.5, -1.0, 1.0), -0.5);   // across the box and back
+  EXPECT_DOUBLE_EQ(reflect(3.5, -1.0, 1.0), -0.5);     // across the box and back
   EXPECT_DOUBLE_EQ(reflect(-8.75, -1.0, 1.0), -0.75);  // twice around
 }
 

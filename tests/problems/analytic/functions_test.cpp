@@ -30,9 +30,9 @@ struct KnownValue {
 TEST(Functions, HaveTheirKnownValues) {
   const std::vector<KnownValue> known = {
       {"sphere", {1.0, 2.0, 3.0}, 14.0},
-      {"rosenbrock", {-1.2, 1.0}, 24.2},                // 100 · 0.44² + 2.2²
+      {"rosenbrock", {-1.2, 1.0}, 24.2},  // 100 · 0.44² + 2.2²
       {"rosenbrock", {0.0, 0.0, 0.0}, 2.0},
-      {"rosenbrock", {2.0, 3.0, 4.0}, 2605.0},          // 100 · (1² + 5²) + 1² + 2²
+      {"rosenbrock", {2.0, 3.0, 4.0}, 2605.0},            // 100 · (1² + 5²) + 1² + 2²
       {"powell-singular", {3.0, -1.0, 0.0, 1.0}, 215.0},  // 7² + 5 · 1² + 1² + 10 · 2⁴, as in the literature
       {"powell-singular", {3.0, -1.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0}, 226.0},
       {"brown-almost-linear", {0.5, 0.5, 0.5}, 8.765625},  // 2 · 2² + (7/8)²

@@ -56,8 +56,8 @@ class AllocationsOf : public testing::TestWithParam<const char*> {
     for (int i = 0; i < 3; ++i) run(call);
     Allocations counted{allocation_count() - own_before, cholmod_allocations, 0};
     const Work after = evaluator_->work();
-    // Several right-hand sides are one call of CHOLMOD's: a solve per load is counted, so this bound is generous where a
-    // group has several loads. On these plates each group has one.
+    // Several right-hand sides are one call of CHOLMOD's: a solve per load is counted, so this bound is generous where
+    // a group has several loads. On these plates each group has one.
     counted.allowed = 2 * (after.factorizations - before.factorizations + after.solves - before.solves);
     return counted;
   }
@@ -87,8 +87,7 @@ TEST_P(AllocationsOf, AGradientStayWithinBounds) {
 
 TEST_P(AllocationsOf, AJacobianStayWithinBounds) {
   std::vector<double> residuals(plate_->residual_count()), jacobian(residuals.size() * x_.size());
-  const Allocations a =
-      count([&] { ASSERT_TRUE(evaluator_->residuals_and_jacobian(x_, residuals, jacobian).ok()); });
+  const Allocations a = count([&] { ASSERT_TRUE(evaluator_->residuals_and_jacobian(x_, residuals, jacobian).ok()); });
   EXPECT_EQ(a.own, 0);
   EXPECT_LE(a.cholmod, a.allowed);
 }

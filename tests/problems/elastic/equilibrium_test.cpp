@@ -119,7 +119,8 @@ TEST(Equilibrium, WorksInAnyUnitOfStiffness) {
     for (double& e : k) e = std::ldexp(e, exponent);
     const auto evaluator = plate->make_evaluator();
     const State state = plate->solve(k);
-    if (std::abs(exponent) > 500) continue;  // displacements squared leave the range of doubles: a status, checked below
+    if (std::abs(exponent) > 500)
+      continue;  // displacements squared leave the range of doubles: a status, checked below
     ASSERT_EQ(state.status, Status::ok);
     for (std::size_t i = 0; i < expected.loads[0].displacement.size(); ++i)
       EXPECT_EQ(state.loads[0].displacement[i], std::ldexp(expected.loads[0].displacement[i], -exponent));

@@ -50,8 +50,8 @@ TEST(Grid, KnowsBorderAndCorners) {
   EXPECT_EQ(corners, 4);
 }
 
-std::size_t coordinates(const char* rule, const char* topology = "crossed", std::size_t columns = 5, std::size_t rows = 5,
-                        Point size = {4, 4}) {
+std::size_t coordinates(const char* rule, const char* topology = "crossed", std::size_t columns = 5,
+                        std::size_t rows = 5, Point size = {4, 4}) {
   return Parameters(make_grid_net({{0, 0}, size, 1.0}, columns, rows, topology), rule).size();
 }
 
@@ -97,7 +97,8 @@ TEST(Parameters, StartTiedGroupsAtTheGeometricMean) {
   for (const double t : tied) EXPECT_NEAR(t, std::pow(2.0, 2.5), 1e-14);
 }
 
-// ── what a study may not ask for ───────────────────────────────────────────────────────────────────────────────────────
+// ── what a study may not ask for
+// ───────────────────────────────────────────────────────────────────────────────────────
 
 std::string refusal(const PlateOptions& options) {
   try {
@@ -117,9 +118,10 @@ TEST(Scene, OffersTheNearestTopology) {
   EXPECT_EQ(refusal({.topology = "crosed"}), "plate.toml:8: unknown topology 'crosed'; did you mean 'crossed'?");
 }
 TEST(Scene, RefusesOneRowGrids) {
-  EXPECT_EQ(refusal({.counts = "[5, 1]"}),
-            "plate.toml:7: 'counts' is [5, 1]: a grid with one row or column has no area; give at least 2 nodes in each "
-            "direction");
+  EXPECT_EQ(
+      refusal({.counts = "[5, 1]"}),
+      "plate.toml:7: 'counts' is [5, 1]: a grid with one row or column has no area; give at least 2 nodes in each "
+      "direction");
 }
 TEST(Scene, RefusesASymmetryThatIsNotThere) {
   EXPECT_EQ(refusal({.parameters = "symmetric", .topology = "single"}),
@@ -135,12 +137,14 @@ TEST(Scene, RefusesAZeroStress) {
             "plate.toml:9: 'stress' is 0: the reference displacement is zero everywhere, so there is nothing to fit");
 }
 TEST(Scene, RefusesIncompressiblePlaneStrain) {
-  EXPECT_EQ(refusal({.poisson = 0.49995, .plane = "strain"}),
-            "plate.toml:6: 'poisson' is 0.49995: in plane strain a body this incompressible can't be computed with; it must "
-            "be ≤ 0.4999");
+  EXPECT_EQ(
+      refusal({.poisson = 0.49995, .plane = "strain"}),
+      "plate.toml:6: 'poisson' is 0.49995: in plane strain a body this incompressible can't be computed with; it must "
+      "be ≤ 0.4999");
 }
 
-// ── what explain says, and what a scene costs ──────────────────────────────────────────────────────────────────────────
+// ── what explain says, and what a scene costs
+// ──────────────────────────────────────────────────────────────────────────
 
 TEST(Stages, AreLeftOutWhereTheSceneDoesNotNeedThem) {
   std::size_t used = 0, left_out = 0;

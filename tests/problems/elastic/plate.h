@@ -33,9 +33,10 @@ inline std::string plate_toml(const PlateOptions& o) {
   return "[problem]\nkind = \"elastic\"\nbody = { shape = \"rectangle\", size = " + o.size +
          ", thickness = 1.0 }\nmaterial = { young = " + number(o.young) + ", poisson = " + number(o.poisson) +
          ", plane = \"" + o.plane + "\" }\npoints = { layout = \"grid\", counts = " + o.counts +
-         " }\nsprings = { topology = \"" + o.topology + "\", parameters = \"" + o.parameters + "\", initial = " + o.initial +
-         ", bounds = " + o.bounds + " }\nloads = { set = \"plate\", stress = " + number(o.stress) + ", supports = \"" +
-         o.supports + "\" }\nquality = { weights = { inner = 1, border = 3, corner = 15 } }\nequilibrium = { method = \"" +
+         " }\nsprings = { topology = \"" + o.topology + "\", parameters = \"" + o.parameters +
+         "\", initial = " + o.initial + ", bounds = " + o.bounds +
+         " }\nloads = { set = \"plate\", stress = " + number(o.stress) + ", supports = \"" + o.supports +
+         "\" }\nquality = { weights = { inner = 1, border = 3, corner = 15 } }\nequilibrium = { method = \"" +
          o.solver + "\" }\n";
 }
 

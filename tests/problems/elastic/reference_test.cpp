@@ -125,12 +125,11 @@ TEST_P(Reference, BearingForcesBalanceTheLoads) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Cases, Reference, testing::Range(std::size_t{0}, std::size_t{3}),
-                         [](const auto& p) {
-                           std::string name = reference_cases().list().at(p.param).at("name").text();
-                           std::ranges::replace(name, '-', '_');
-                           return name;
-                         });
+INSTANTIATE_TEST_SUITE_P(Cases, Reference, testing::Range(std::size_t{0}, std::size_t{3}), [](const auto& p) {
+  std::string name = reference_cases().list().at(p.param).at("name").text();
+  std::ranges::replace(name, '-', '_');
+  return name;
+});
 
 }  // namespace
 }  // namespace nodal::elastic

@@ -40,7 +40,8 @@ TEST(AreaStart, CarriesTheEnergyOfTheBody) {
     const auto plate = make_plate({.topology = topology, .counts = "[7, 4]", .size = "[3.0, 2.0]", .young = 2.5});
     const std::vector<double> k = area_stiffness(plate->net(), plate->scene().material);
     double sum = 0.0;
-    for (std::size_t e = 0; e < k.size(); ++e) sum += k[e] * plate->net().springs[e].length * plate->net().springs[e].length;
+    for (std::size_t e = 0; e < k.size(); ++e)
+      sum += k[e] * plate->net().springs[e].length * plate->net().springs[e].length;
     EXPECT_NEAR(sum, 3.0 * 2.5 * 6.0, 1e-12 * sum) << topology;
   }
 }
@@ -61,7 +62,8 @@ TEST(LatticeStart, IsRefusedOnRectangularCells) {
     make_plate({.initial = "\"lattice\"", .size = "[4.0, 3.0]"});
     FAIL() << "accepted";
   } catch (const InputError& error) {
-    EXPECT_STREQ(error.what(), "plate.toml:8: the 'lattice' rule needs a crossed grid with square cells; take 'area' instead");
+    EXPECT_STREQ(error.what(),
+                 "plate.toml:8: the 'lattice' rule needs a crossed grid with square cells; take 'area' instead");
   }
 }
 
@@ -80,7 +82,8 @@ TEST(BestScale, IsAMinimum) {
 
 // Its G on the crossed 5 × 5 grid is at most 1.8 times (rounded) the best known one, and equal at ν = 1/3.
 TEST(EnergyStart, ComesCloseToTheBestFit) {
-  const StartRow best[] = {{0.2, 2.3209}, {0.25, 1.7857}, {0.3, 0.7376255865}, {0.4, 1.3843}, {0.45, 2.2296}, {0.49, 2.8517}};
+  const StartRow best[] = {{0.2, 2.3209}, {0.25, 1.7857}, {0.3, 0.7376255865},
+                           {0.4, 1.3843}, {0.45, 2.2296}, {0.49, 2.8517}};
   for (const StartRow& row : best) {
     const double quality = start_quality(*make_plate({.poisson = row.poisson, .initial = "\"energy\""}));
     EXPECT_LE(quality, 1.805 * row.quality) << "nu " << row.poisson;
@@ -94,7 +97,8 @@ TEST(EnergyStart, SatisfiesTheOptimalityConditions) {
   const std::vector<double> k = plate->stiffness(plate->space().start());
   const State state = plate->solve(k);
   const auto elongation = [](const Spring& s, const std::vector<double>& u) {
-    return s.direction[0] * (u[2 * s.second] - u[2 * s.first]) + s.direction[1] * (u[2 * s.second + 1] - u[2 * s.first + 1]);
+    return s.direction[0] * (u[2 * s.second] - u[2 * s.first]) +
+           s.direction[1] * (u[2 * s.second + 1] - u[2 * s.first + 1]);
   };
   double scale = 0.0;
   std::vector<double> gradient(k.size(), 0.0);
@@ -122,7 +126,8 @@ TEST(Start, OfARuleIsMovedInsideTheBounds) {
   EXPECT_EQ(plate->remarks().at(1), "the start of 40 of 72 coordinates was outside the bounds and moved just inside");
 }
 
-// ── stiffness files ────────────────────────────────────────────────────────────────────────────────────────────────────
+// ── stiffness files
+// ────────────────────────────────────────────────────────────────────────────────────────────────────
 
 class StiffnessFile : public testing::Test {
  protected:
@@ -152,7 +157,8 @@ TEST_F(StiffnessFile, ComesBackAsItWasWritten) {
   EXPECT_EQ(read_stiffness_file(path_, net_), k);
 }
 TEST_F(StiffnessFile, MayListSpringsInAnyOrder) {
-  write(R"({"springs": [{"nodes": [3, 2], "stiffness": 5}, {"nodes": [1, 3], "stiffness": 4}, {"stiffness": 3, "nodes": [0, 3]},
+  write(
+      R"({"springs": [{"nodes": [3, 2], "stiffness": 5}, {"nodes": [1, 3], "stiffness": 4}, {"stiffness": 3, "nodes": [0, 3]},
                         {"nodes": [2, 0], "stiffness": 2}, {"nodes": [1, 0], "stiffness": 1}]})");
   EXPECT_EQ(read_stiffness_file(path_, net_), (std::vector<double>{1, 2, 3, 4, 5}));
 }
@@ -176,15 +182,18 @@ TEST_F(StiffnessFile, ThatIsNotThereIsRefused) {
   EXPECT_EQ(refusal(), "cannot read stiffness file 'FILE': No such file or directory");
 }
 TEST_F(StiffnessFile, OutsideTheBoundsIsRefusedAsAStart) {
-  write("{\"springs\": [{\"nodes\": [0, 1], \"stiffness\": 1000}, {\"nodes\": [0, 2], \"stiffness\": 1}, {\"nodes\": [0, 3], "
-        "\"stiffness\": 1}, {\"nodes\": [1, 3], \"stiffness\": 1}, {\"nodes\": [2, 3], \"stiffness\": 1}]}");
+  write(
+      "{\"springs\": [{\"nodes\": [0, 1], \"stiffness\": 1000}, {\"nodes\": [0, 2], \"stiffness\": 1}, {\"nodes\": [0, "
+      "3], "
+      "\"stiffness\": 1}, {\"nodes\": [1, 3], \"stiffness\": 1}, {\"nodes\": [2, 3], \"stiffness\": 1}]}");
   try {
     make_plate({.initial = "{ file = \"" + path_.string() + "\" }", .topology = "single", .counts = "[2, 2]"});
     FAIL() << "accepted";
   } catch (const InputError& error) {
-    EXPECT_STREQ(error.what(),
-                 "plate.toml:8: the start's spring (0, 1) has stiffness 1000, outside the bounds [0.0001, 100]; change the "
-                 "file or 'bounds'");
+    EXPECT_STREQ(
+        error.what(),
+        "plate.toml:8: the start's spring (0, 1) has stiffness 1000, outside the bounds [0.0001, 100]; change the "
+        "file or 'bounds'");
   }
 }
 

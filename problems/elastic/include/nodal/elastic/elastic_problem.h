@@ -36,7 +36,7 @@ struct Scene {
   std::vector<double> initial_stiffness;        ///< [springs], before tying and before moving inside the bounds
   std::array<double, 2> stiffness_bounds = {};  ///< N/m
   std::string initial_rule;                     ///< for `explain`
-  std::string solver = "auto";                  ///< auto | simplicial | supernodal | dense
+  std::string solver = "auto";                  ///< auto | simplicial | supernodal
   double stress = 1.0;
 };
 
@@ -44,15 +44,15 @@ struct Scene {
 struct LoadState {
   std::string name;
   double quality = 0.0;
-  std::vector<double> displacement;             ///< [2 · nodes]
-  std::vector<double> reference;                ///< [2 · nodes]
+  std::vector<double> displacement;  ///< [2 · nodes]
+  std::vector<double> reference;     ///< [2 · nodes]
   std::vector<Support> supports;
-  std::vector<double> bearing;                  ///< force on each support (eq. 11)
+  std::vector<double> bearing;  ///< force on each support (eq. 11)
 };
 
 struct State {
   Status status = Status::invalid_input;
-  std::string message;                          ///< for another status than ok: what is wrong, with the node or spring
+  std::string message;  ///< for another status than ok: what is wrong, with the node or spring
   double quality = 0.0, relative_error = 0.0;
   std::vector<LoadState> loads;
   Health health;

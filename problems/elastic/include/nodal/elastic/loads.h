@@ -26,9 +26,9 @@ struct Support {
 
 struct LoadCase {
   std::string name;
-  std::size_t group = 0;            ///< index of its support group
+  std::size_t group = 0;  ///< index of its support group
   std::vector<double> forces;
-  std::vector<double> reference;    ///< displacement of the body
+  std::vector<double> reference;  ///< displacement of the body
 };
 
 /// Supports in ascending freedom order, each freedom once.

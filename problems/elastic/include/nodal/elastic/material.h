@@ -3,9 +3,9 @@
 
 /// Linear elastic, isotropic, homogeneous material in the plane, and its homogeneous stress states.
 ///
-/// Plane stress: ε = (1/E) [[1, −ν, 0], [−ν, 1, 0], [0, 0, 2(1+ν)]] σ. The paper's eq. (8) is misprinted and contradicts
-/// its own next line. Plane strain is the same with E' = E/(1−ν²), ν' = ν/(1−ν).
-/// Units    young Pa, poisson dimensionless.
+/// Plane stress: ε = (1/E) [[1, −ν, 0], [−ν, 1, 0], [0, 0, 2(1+ν)]] σ. The paper's eq. (8) is misprinted and
+/// contradicts its own next line. Plane strain is the same with E' = E/(1−ν²), ν' = ν/(1−ν). Units    young Pa, poisson
+/// dimensionless.
 
 namespace nodal::elastic {
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-/// The nodal system: points and the springs between them (paper, section 1). Geometry only; stiffnesses are the unknowns.
+/// The nodal system: points and the springs between them (paper, section 1). Geometry only; stiffnesses are the
+/// unknowns.
 ///
 /// Grid nodes are numbered row by row from the lower left, x fastest.
 /// Units    metres.

@@ -38,7 +38,8 @@ class Parameters {
   /// x_g = ln of the geometric mean of the group's stiffnesses.
   void coordinates(std::span<const double> stiffness, std::span<double> coordinates) const;
   /// ∂/∂x_g = Σ_{e in g} k_e ∂/∂k_e. `by_spring` holds ∂/∂k_e.
-  void chain(std::span<const double> stiffness, std::span<const double> by_spring, std::span<double> by_coordinate) const;
+  void chain(std::span<const double> stiffness, std::span<const double> by_spring,
+             std::span<double> by_coordinate) const;
 
  private:
   std::vector<std::size_t> group_;    // by spring

@@ -1,0 +1,67 @@
+# Reads the code blocks of a page in docs/.
+#
+# nodal_read_page(<page> <prefix>) sets, in the caller's scope:
+#   <prefix>_COUNT, and for each block i from 0:
+#   <prefix>_<i>_LANGUAGE   what stands after the fence: cpp, cmake, toml, sh, text
+#   <prefix>_<i>_TEXT       the block, with its last newline
+#   <prefix>_<i>_FILE       the file's name when the paragraph before the fence begins with **`name`**, else ""
+#
+# Blocks are cut out by position, never taken for lists: semicolons and brackets of the code survive.
+function(nodal_read_page page prefix)
+  file(READ "${page}" rest)
+  set(rest "\n${rest}")
+  set(count 0)
+  string(FIND "${rest}" "\n```" begin)
+  while(NOT begin EQUAL -1)
+    string(SUBSTRING "${rest}" 0 ${begin} before)
+    math(EXPR begin "${begin} + 4")
+    string(SUBSTRING "${rest}" ${begin} -1 rest)
+    string(FIND "${rest}" "\n" line_end)
+    string(FIND "${rest}" "\n```" end)
+    if(end EQUAL -1)
+      message(FATAL_ERROR "${page}: code block ${count} is not closed")
+    endif()
+    string(SUBSTRING "${rest}" 0 ${line_end} language)
+    math(EXPR text_begin "${line_end} + 1")
+    math(EXPR text_size "${end} - ${line_end}")
+    string(SUBSTRING "${rest}" ${text_begin} ${text_size} text)
+    set(file "")
+    if("${before}" MATCHES "\n\\*\\*`([^`\n]+)`\\*\\*[^\n]*\n*$")
+      set(file "${CMAKE_MATCH_1}")
+    endif()
+    set(${prefix}_${count}_LANGUAGE "${language}" PARENT_SCOPE)
+    set(${prefix}_${count}_TEXT "${text}" PARENT_SCOPE)
+    set(${prefix}_${count}_FILE "${file}" PARENT_SCOPE)
+    math(EXPR count "${count} + 1")
+    math(EXPR end "${end} + 4")
+    string(SUBSTRING "${rest}" ${end} -1 rest)
+    string(FIND "${rest}" "\n```" begin)
+  endwhile()
+  set(${prefix}_COUNT ${count} PARENT_SCOPE)
+endfunction()
+
+# nodal_write_page(<page> <folder> <files>): writes every block that has a file's name below a folder, untouched where it
+# is so already, and lists the names in <files>.
+function(nodal_write_page page folder files)
+  nodal_read_page("${page}" block)
+  set(names "")
+  math(EXPR last "${block_COUNT} - 1")
+  foreach(i RANGE ${last})
+    set(name "${block_${i}_FILE}")
+    if(name STREQUAL "")
+      continue()
+    endif()
+    if(name IN_LIST names)
+      message(FATAL_ERROR "${page}: '${name}' stands there twice")
+    endif()
+    list(APPEND names "${name}")
+    set(old "")
+    if(EXISTS "${folder}/${name}")
+      file(READ "${folder}/${name}" old)
+    endif()
+    if(NOT "${old}" STREQUAL "${block_${i}_TEXT}")
+      file(WRITE "${folder}/${name}" "${block_${i}_TEXT}")
+    endif()
+  endforeach()
+  set(${files} "${names}" PARENT_SCOPE)
+endfunction()

@@ -1,0 +1,16 @@
+# Script: PROGRAM compares STUDY with a new store in FOLDER; both optimizers are in its table, and the report is there.
+cmake_minimum_required(VERSION 3.25)
+file(REMOVE_RECURSE "${FOLDER}")
+execute_process(COMMAND "${PROGRAM}" compare "${STUDY}" --out "${FOLDER}"
+                OUTPUT_VARIABLE table ECHO_ERROR_VARIABLE ERROR_VARIABLE errors COMMAND_ERROR_IS_FATAL ANY)
+foreach(label IN ITEMS "annealing (baseline)" "random-search")
+  string(FIND "${table}" "${label}" position)
+  if(position EQUAL -1)
+    message(FATAL_ERROR "'${label}' is not in the table:\n${table}")
+  endif()
+endforeach()
+foreach(file IN ITEMS report.html summary.csv manifest.json)
+  if(NOT EXISTS "${FOLDER}/${file}")
+    message(FATAL_ERROR "compare wrote no ${file}")
+  endif()
+endforeach()
