@@ -2,9 +2,12 @@
 #include <nodal/command_line.h>
 
 #include <exception>
+#include <functional>
 #include <iostream>
+#include <memory>
 
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <nodal/error.h>
 #include <nodal/provenance.h>
@@ -35,22 +38,120 @@ void describe(CLI::App& app) {
       "--version", [] { throw CLI::CallForVersion(version_text(), 0); }, "Revision and library versions");
 }
 
+// Adds a command; when it is chosen, its exit code lands in `exit`.
+template <class Arguments>
+CLI::App& add_command(CLI::App& app, const char* name, const char* help, int (*run)(const Arguments&, const Registry&),
+                      const Registry& registry, int& exit, const std::shared_ptr<Arguments>& arguments) {
+  CLI::App* command = app.add_subcommand(name, help);
+  command->callback([=, &registry, &exit] { exit = run(*arguments, registry); });
+  return *command;
+}
+
+void add_study_path(CLI::App& command, std::string& path) {
+  command.add_option("study", path, "The study, a TOML file")->required()->type_name("STUDY");
+}
+
+void add_problem_label(CLI::App& command, std::string& label) {
+  command.add_option("--problem", label, "Which problem, where a study has several")->type_name("LABEL");
+}
+
+void add_repeats(CLI::App& command, StudyOverrides& overrides) {
+  command.add_option("--repeats", overrides.repeats, "Repeats, instead of the study's")->check(above_zero());
+}
+
+// Checked here, so that a message names the option.
+void add_budget(CLI::App& command, StudyOverrides& overrides) {
+  command.add_option("--seconds", overrides.seconds, "Wall time per trial [s], instead of the study's")
+      ->check(above_zero());
+  command.add_option("--evaluations", overrides.evaluations, "Evaluations per trial, instead of the study's")
+      ->check(above_zero());
+  command.add_option("--seed", overrides.seed, "Seed, instead of the study's");
+}
+
+void add_compare(CLI::App& app, const Registry& registry, int& exit) {
+  const auto to = std::make_shared<CompareArguments>();
+  CLI::App& command =
+      add_command(app, "compare", "Run what the store lacks of a study, print the table, write the report",
+                  compare_command, registry, exit, to);
+  add_study_path(command, to->study);
+  command.add_option("--out", to->out, "Where results are stored (default: results/<name of the study>)")
+      ->type_name("DIR");
+  command
+      .add_option("--only", to->overrides.only,
+                  "Only the optimizers with these labels, separated by commas; may be repeated")
+      ->type_name("LABEL,…");
+  add_repeats(command, to->overrides);
+  add_budget(command, to->overrides);
+  command.add_option("--jobs", to->jobs, "Trials at once; times stay clean with 1 (default)")->check(above_zero());
+}
+
+void add_evaluate(CLI::App& app, const Registry& registry, int& exit) {
+  const auto to = std::make_shared<EvaluateArguments>();
+  CLI::App& command =
+      add_command(app, "evaluate", "Error, error per load, bearing forces at the start or at given stiffnesses",
+                  evaluate_command, registry, exit, to);
+  add_study_path(command, to->study);
+  add_problem_label(command, to->problem);
+  command.add_option("--stiffness", to->stiffness, "A stiffness file instead of the start; bounds don't apply to it")
+      ->type_name("FILE");
+  command.add_flag("--json", to->json, "Everything, displacements too, as JSON");
+}
+
+void add_fit(CLI::App& app, const Registry& registry, int& exit) {
+  const auto to = std::make_shared<FitArguments>();
+  CLI::App& command =
+      add_command(app, "fit", "One run, by default with the method that suits the problem; writes the fitted system",
+                  fit_command, registry, exit, to);
+  add_study_path(command, to->study);
+  add_problem_label(command, to->problem);
+  command.add_option("--with", to->with, "A label of the study, or any optimizer with its defaults")->type_name("NAME");
+  command.add_option("--export", to->out, "Where the stiffness file goes (default: stdout)")->type_name("FILE");
+  add_budget(command, to->overrides);
+}
+
+void add_report(CLI::App& app, const Registry& registry, int& exit) {
+  const auto to = std::make_shared<ReportArguments>();
+  CLI::App& command = add_command(app, "report", "Make table, summary.csv and report.html again from stored trials",
+                                  report_command, registry, exit, to);
+  command.add_option("stores", to->directories, "Directories that nodal compare wrote")->required()->type_name("DIR…");
+  command.add_option("--out", to->out, "Where the files go (default: into the one store)")->type_name("DIR");
+}
+
+void add_explain(CLI::App& app, const Registry& registry, int& exit) {
+  const auto to = std::make_shared<ExplainArguments>();
+  CLI::App& command =
+      add_command(app, "explain", "What a study uses and leaves out, sizes, start, limits, its trials; runs nothing",
+                  explain_command, registry, exit, to);
+  add_study_path(command, to->study);
+  command.add_flag("--trials", to->trials, "Every trial with its key");
+  add_repeats(command, to->overrides);
+  add_budget(command, to->overrides);
+}
+
+void add_list(CLI::App& app, const Registry& registry, int& exit) {
+  const auto to = std::make_shared<ListArguments>();
+  CLI::App& command = add_command(app, "list", "What this build has, with needs and options, and what it lacks",
+                                  list_command, registry, exit, to);
+  command.add_option("what", to->what, "optimizers, problems, topologies or scenes; all when left out")
+      ->check(CLI::IsMember({"optimizers", "problems", "topologies", "scenes"}));
+}
+
 }  // namespace
 
 int command_line(const Registry& registry, int argc, const char* const* argv) {
   CLI::App app("", "nodal");
-  Program program{registry};
+  int exit = 0;
   describe(app);
-  add_compare(app, program);
-  add_evaluate(app, program);
-  add_fit(app, program);
-  add_report(app, program);
-  add_explain(app, program);
-  add_list(app, program);
+  add_compare(app, registry, exit);
+  add_evaluate(app, registry, exit);
+  add_fit(app, registry, exit);
+  add_report(app, registry, exit);
+  add_explain(app, registry, exit);
+  add_list(app, registry, exit);
   try {
     app.parse(argc, argv);
     std::cout.flush();
-    return program.exit;
+    return exit;
   } catch (const CLI::Success& done) {  // --help, --version
     return app.exit(done);
   } catch (const CLI::ParseError& error) {

@@ -1,25 +1,54 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-/// One function per command: adds it with its options to the program; when it is chosen, its exit code lands in `exit`.
+/// What each command is told, and the command itself, which returns the exit code. How words become arguments is
+/// command_line.cpp's business; InputError and StoreError end there too.
 
-#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
 
 #include <nodal/registry.h>
+#include <nodal/study.h>
 
 namespace nodal {
 
-struct Program {
-  const Registry& registry;
-  int exit = 0;
+struct CompareArguments {
+  std::string study, out;  ///< without `out`: results/<name of the study>
+  int jobs = 1;
+  StudyOverrides overrides;
 };
 
-void add_compare(CLI::App& app, Program& program);
-void add_evaluate(CLI::App& app, Program& program);
-void add_fit(CLI::App& app, Program& program);
-void add_report(CLI::App& app, Program& program);
-void add_explain(CLI::App& app, Program& program);
-void add_list(CLI::App& app, Program& program);
+struct EvaluateArguments {
+  std::string study, problem, stiffness;
+  bool json = false;
+};
+
+struct FitArguments {
+  std::string study, problem, with, out;
+  StudyOverrides overrides;
+};
+
+struct ReportArguments {
+  std::vector<std::string> directories;
+  std::string out;
+};
+
+struct ExplainArguments {
+  std::string study;
+  bool trials = false;
+  StudyOverrides overrides;
+};
+
+struct ListArguments {
+  std::string what;  ///< optimizers, problems, topologies, scenes, or all when empty
+};
+
+int compare_command(const CompareArguments& arguments, const Registry& registry);
+int evaluate_command(const EvaluateArguments& arguments, const Registry& registry);
+int fit_command(const FitArguments& arguments, const Registry& registry);
+int report_command(const ReportArguments& arguments, const Registry& registry);
+int explain_command(const ExplainArguments& arguments, const Registry& registry);
+int list_command(const ListArguments& arguments, const Registry& registry);
 
 inline constexpr int kExitTrialFailed = 1;
 inline constexpr int kExitBadInput = 2;

@@ -4,7 +4,6 @@
 #include <unistd.h>
 
 #include <iostream>
-#include <memory>
 
 #include <fmt/format.h>
 
@@ -13,18 +12,11 @@
 #include "commands.h"
 #include "progress.h"
 #include "stop_signal.h"
-#include "study_options.h"
 #include "write_report.h"
 
 namespace nodal {
 
 namespace {
-
-struct CompareArguments {
-  std::string study, out;
-  int jobs = 1;
-  StudyOverrides overrides;
-};
 
 void say_left_out(const Study& study) {
   for (const LeftOut& left_out : study.left_out)
@@ -45,6 +37,8 @@ CompareResult run(const Study& study, const Registry& registry, Store& store, in
   return compare(study, registry, store, options, observer);
 }
 
+}  // namespace
+
 int compare_command(const CompareArguments& arguments, const Registry& registry) {
   const Study study = read_study(arguments.study, registry, arguments.overrides);
   require_comparable(study);  // before anything is written
@@ -63,26 +57,6 @@ int compare_command(const CompareArguments& arguments, const Registry& registry)
   stores.push_back(std::move(store));
   write_report(stores, registry, stores.front());
   return result.failed > 0 ? kExitTrialFailed : 0;
-}
-
-}  // namespace
-
-void add_compare(CLI::App& app, Program& program) {
-  CLI::App* command =
-      app.add_subcommand("compare", "Run what the store lacks of a study, print the table, write the report");
-  const auto arguments = std::make_shared<CompareArguments>();
-  add_study_path(*command, arguments->study);
-  command->add_option("--out", arguments->out, "Where results are stored (default: results/<name of the study>)")
-      ->type_name("DIR");
-  command->add_option("--only", arguments->overrides.only, "Only the optimizers with these labels, separated by commas")
-      ->delimiter(',')
-      ->type_name("LABEL,…");
-  command->add_option("--repeats", arguments->overrides.repeats, "Repeats, instead of the study's")
-      ->check(above_zero());
-  add_budget_options(*command, arguments->overrides);
-  command->add_option("--jobs", arguments->jobs, "Trials at once; times stay clean with 1 (default)")
-      ->check(above_zero());
-  command->callback([arguments, &program] { program.exit = compare_command(*arguments, program.registry); });
 }
 
 }  // namespace nodal

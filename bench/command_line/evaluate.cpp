@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <iostream>
-#include <memory>
 
 #include <fmt/format.h>
 
@@ -8,17 +7,11 @@
 
 #include "commands.h"
 #include "elastic_state.h"
-#include "study_options.h"
 #include "study_problem.h"
 
 namespace nodal {
 
 namespace {
-
-struct EvaluateArguments {
-  std::string study, problem, stiffness;
-  bool json = false;
-};
 
 int evaluate_elastic(const EvaluateArguments& arguments, const std::string& label,
                      const elastic::ElasticProblem& problem) {
@@ -58,28 +51,14 @@ int evaluate_any(const EvaluateArguments& arguments, const std::string& label, c
   return 0;
 }
 
+}  // namespace
+
 int evaluate_command(const EvaluateArguments& arguments, const Registry& registry) {
   const Study study = read_study(arguments.study, registry);
   const StudyProblem& entry = study.problems[find_problem(study, arguments.problem)];
   if (const auto* elastic = dynamic_cast<const elastic::ElasticProblem*>(entry.problem.get()))
     return evaluate_elastic(arguments, entry.label, *elastic);
   return evaluate_any(arguments, entry.label, *entry.problem);
-}
-
-}  // namespace
-
-void add_evaluate(CLI::App& app, Program& program) {
-  CLI::App* command =
-      app.add_subcommand("evaluate", "Error, error per load, bearing forces at the start or at given stiffnesses");
-  const auto arguments = std::make_shared<EvaluateArguments>();
-  add_study_path(*command, arguments->study);
-  command->add_option("--problem", arguments->problem, "Which problem, where a study has several")->type_name("LABEL");
-  command
-      ->add_option("--stiffness", arguments->stiffness,
-                   "A stiffness file instead of the start; bounds don't apply to it")
-      ->type_name("FILE");
-  command->add_flag("--json", arguments->json, "Everything, displacements too, as JSON");
-  command->callback([arguments, &program] { program.exit = evaluate_command(*arguments, program.registry); });
 }
 
 }  // namespace nodal

@@ -1,24 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <iostream>
-#include <memory>
 
 #include <fmt/format.h>
 
 #include <nodal/trial.h>
 
 #include "commands.h"
-#include "study_options.h"
 
 namespace nodal {
 
 namespace {
-
-struct ExplainArguments {
-  std::string study;
-  bool trials = false;
-  StudyOverrides overrides;
-};
 
 void explain_problem(const StudyProblem& entry) {
   const Problem& problem = *entry.problem;
@@ -79,21 +71,12 @@ void explain_trials(const Study& study, bool each) {
 
 }  // namespace
 
-void add_explain(CLI::App& app, Program& program) {
-  CLI::App* command =
-      app.add_subcommand("explain", "What a study uses and leaves out, sizes, start, limits, its trials; runs nothing");
-  const auto arguments = std::make_shared<ExplainArguments>();
-  add_study_path(*command, arguments->study);
-  command->add_flag("--trials", arguments->trials, "Every trial with its key");
-  command->add_option("--repeats", arguments->overrides.repeats, "Repeats, instead of the study's")
-      ->check(above_zero());
-  add_budget_options(*command, arguments->overrides);
-  command->callback([arguments, &program] {
-    const Study study = read_study(arguments->study, program.registry, arguments->overrides);
-    std::cout << fmt::format("study '{}', seed {}\n\n", study.name, study.seed);
-    for (const StudyProblem& problem : study.problems) explain_problem(problem);
-    explain_trials(study, arguments->trials);
-  });
+int explain_command(const ExplainArguments& arguments, const Registry& registry) {
+  const Study study = read_study(arguments.study, registry, arguments.overrides);
+  std::cout << fmt::format("study '{}', seed {}\n\n", study.name, study.seed);
+  for (const StudyProblem& problem : study.problems) explain_problem(problem);
+  explain_trials(study, arguments.trials);
+  return 0;
 }
 
 }  // namespace nodal

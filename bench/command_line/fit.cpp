@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <fstream>
 #include <iostream>
-#include <memory>
 
 #include <fmt/format.h>
 
@@ -12,7 +11,6 @@
 
 #include "commands.h"
 #include "progress.h"
-#include "study_options.h"
 #include "study_problem.h"
 
 namespace nodal {
@@ -22,11 +20,6 @@ namespace {
 // A dense Jacobian above this is no longer worth its memory and time.
 constexpr double kMostJacobianBytes = 256.0 * 1048576.0;
 constexpr double kDefaultSeconds = 60.0;
-
-struct FitArguments {
-  std::string study, problem, with, out;
-  StudyOverrides overrides;
-};
 
 struct Choice {
   StudyOptimizer optimizer;
@@ -113,6 +106,8 @@ void refuse_unwritable(const std::string& path) {
                      fmt::format("cannot write '{}'; give a file in a folder that exists and may be written", path));
 }
 
+}  // namespace
+
 int fit_command(const FitArguments& arguments, const Registry& registry) {
   Study study = read_study(arguments.study, registry, arguments.overrides);
   const std::size_t problem_index = find_problem(study, arguments.problem);
@@ -137,21 +132,6 @@ int fit_command(const FitArguments& arguments, const Registry& registry) {
     std::cerr << fmt::format("written: {}\n", arguments.out);
   }
   return record.end == End::failed ? kExitTrialFailed : 0;
-}
-
-}  // namespace
-
-void add_fit(CLI::App& app, Program& program) {
-  CLI::App* command =
-      app.add_subcommand("fit", "One run, by default with the method that suits the problem; writes the fitted system");
-  const auto arguments = std::make_shared<FitArguments>();
-  add_study_path(*command, arguments->study);
-  command->add_option("--problem", arguments->problem, "Which problem, where a study has several")->type_name("LABEL");
-  command->add_option("--with", arguments->with, "A label of the study, or any optimizer with its defaults")
-      ->type_name("NAME");
-  command->add_option("--export", arguments->out, "Where the stiffness file goes (default: stdout)")->type_name("FILE");
-  add_budget_options(*command, arguments->overrides);
-  command->callback([arguments, &program] { program.exit = fit_command(*arguments, program.registry); });
 }
 
 }  // namespace nodal

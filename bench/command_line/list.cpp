@@ -3,7 +3,6 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
-#include <memory>
 
 #include <fmt/format.h>
 
@@ -104,7 +103,10 @@ void list_scenes() {
   for (const fs::path& file : files) std::cout << fmt::format("{}: {}\n", file.string(), first_comment(file));
 }
 
-void list(const std::string& what, const Registry& registry) {
+}  // namespace
+
+int list_command(const ListArguments& arguments, const Registry& registry) {
+  const std::string& what = arguments.what;
   const auto section = [&what](const char* name, auto print) {
     if (!what.empty() && what != name) return;
     if (what.empty()) std::cout << "── " << name << " ──\n\n";
@@ -115,16 +117,7 @@ void list(const std::string& what, const Registry& registry) {
   section("problems", [&] { list_problems(registry); });
   section("topologies", list_topologies);
   section("scenes", list_scenes);
-}
-
-}  // namespace
-
-void add_list(CLI::App& app, Program& program) {
-  CLI::App* command = app.add_subcommand("list", "What this build has, with needs and options, and what it lacks");
-  const auto what = std::make_shared<std::string>();
-  command->add_option("what", *what, "optimizers, problems, topologies or scenes; all when left out")
-      ->check(CLI::IsMember({"optimizers", "problems", "topologies", "scenes"}));
-  command->callback([what, &program] { list(*what, program.registry); });
+  return 0;
 }
 
 }  // namespace nodal

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <iostream>
-#include <memory>
 #include <optional>
 
 #include <nodal/store.h>
@@ -9,13 +8,6 @@
 #include "write_report.h"
 
 namespace nodal {
-
-namespace {
-
-struct ReportArguments {
-  std::vector<std::string> directories;
-  std::string out;
-};
 
 int report_command(const ReportArguments& arguments, const Registry& registry) {
   std::vector<Store> stores;
@@ -32,18 +24,6 @@ int report_command(const ReportArguments& arguments, const Registry& registry) {
     write_report(stores, registry, target);
   }
   return 0;
-}
-
-}  // namespace
-
-void add_report(CLI::App& app, Program& program) {
-  CLI::App* command = app.add_subcommand("report", "Make table, summary.csv and report.html again from stored trials");
-  const auto arguments = std::make_shared<ReportArguments>();
-  command->add_option("stores", arguments->directories, "Directories that nodal compare wrote")
-      ->required()
-      ->type_name("DIR…");
-  command->add_option("--out", arguments->out, "Where the files go (default: into the one store)")->type_name("DIR");
-  command->callback([arguments, &program] { program.exit = report_command(*arguments, program.registry); });
 }
 
 }  // namespace nodal

@@ -212,9 +212,24 @@ class StudyReader {
     taken.emplace_back(label, entry.source);
   }
 
+  // A label that holds a comma is meant as it stands; else commas separate labels.
+  std::vector<std::string> wanted_labels(const std::vector<std::string>& labels) const {
+    std::vector<std::string> wanted;
+    for (const std::string& entry : overrides_.only) {
+      if (std::ranges::find(labels, entry) != labels.end()) {
+        wanted.push_back(entry);
+        continue;
+      }
+      std::istringstream parts(entry);
+      for (std::string part; std::getline(parts, part, ',');) wanted.push_back(part);
+    }
+    return wanted;
+  }
+
   void keep_only() {
     const std::vector<std::string> labels = names_of(study_.optimizers, &StudyOptimizer::label);
-    for (const std::string& wanted : overrides_.only) {
+    const std::vector<std::string> only = wanted_labels(labels);
+    for (const std::string& wanted : only) {
       const auto left_out = std::ranges::find(study_.left_out, wanted, &LeftOut::label);
       if (left_out != study_.left_out.end())
         throw InputError(Source{"--only", 0},
@@ -223,9 +238,9 @@ class StudyReader {
         throw InputError(Source{"--only", 0}, fmt::format("no optimizer of the study is labelled '{}'{}", wanted,
                                                           name_hint(wanted, labels)));
     }
-    if (!overrides_.only.empty()) {
+    if (!only.empty()) {
       for (StudyOptimizer& optimizer : study_.optimizers)
-        optimizer.skipped = std::ranges::find(overrides_.only, optimizer.label) == overrides_.only.end();
+        optimizer.skipped = std::ranges::find(only, optimizer.label) == only.end();
       study_.left_out.clear();
     }
     if (study_.optimizers.empty() && !study_.left_out.empty())

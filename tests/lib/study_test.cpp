@@ -230,6 +230,23 @@ TEST(Study, OffersTheNearestOfAnUnknownName) {
             "'leaving', 'throwing', 'latin', 'talkative'");
 }
 
+TEST(Study, TakesSeveralLabelsAtOnceAndLabelsWithCommas) {
+  const std::string text =
+      "[problem]\nkind = \"bowl\"\n[[optimizer]]\nuse = \"halving\"\n[[optimizer]]\nuse = \"halving\"\nlabel = "
+      "\"halving, again\"\n[[optimizer]]\nuse = \"wanderer\"\n";
+  const auto kept = [&](std::vector<std::string> only) {
+    StudyOverrides overrides;
+    overrides.only = std::move(only);
+    std::vector<std::string> labels;
+    for (const StudyOptimizer& optimizer : parse_study(text, "s.toml", toy::registry(), overrides).optimizers)
+      if (!optimizer.skipped) labels.push_back(optimizer.label);
+    return labels;
+  };
+  EXPECT_EQ(kept({"halving,wanderer"}), (std::vector<std::string>{"halving", "wanderer"}));
+  EXPECT_EQ(kept({"halving, again"}), (std::vector<std::string>{"halving, again"}));
+  EXPECT_EQ(kept({"halving, again", "wanderer"}), (std::vector<std::string>{"halving, again", "wanderer"}));
+}
+
 TEST(Study, RefusesTwoEqualLabels) {
   EXPECT_EQ(refusal("[[problem]]\nkind = \"bowl\"\n[[problem]]\nkind = \"bowl\"\nsize = 4\n"),
             "s.toml:3: two problems have the label 'bowl' (the other is on line 1); give one a 'label' of its own");

@@ -70,7 +70,7 @@ struct StudyOverrides {
   std::optional<std::int64_t> evaluations;
   std::optional<std::uint64_t> seed;
   std::optional<int> repeats;
-  std::vector<std::string> only;  ///< optimizer labels; all when empty
+  std::vector<std::string> only;  ///< optimizer labels, or several separated by commas; all when empty
 };
 
 /// Reads a study. InputError ("file:line: …") for everything that is wrong with it: syntax, an unknown key, type,
