@@ -11,6 +11,7 @@
 
 #include "commands.h"
 #include "progress.h"
+#include "report/left_out.h"
 #include "stop_signal.h"
 #include "write_report.h"
 
@@ -19,8 +20,7 @@ namespace nodal {
 namespace {
 
 void say_left_out(const Study& study) {
-  for (const LeftOut& left_out : study.left_out)
-    std::cerr << fmt::format("left out: '{}': {}\n", left_out.label, left_out.reason);
+  for (const std::string& line : report::left_out_lines(study.left_out)) std::cerr << "left out: " << line << '\n';
 }
 
 CompareResult run(const Study& study, const Registry& registry, Store& store, int jobs) {

@@ -7,6 +7,7 @@
 #include <nodal/trial.h>
 
 #include "commands.h"
+#include "report/left_out.h"
 
 namespace nodal {
 
@@ -60,8 +61,7 @@ void explain_trials(const Study& study, bool each) {
     if (!optimizer.options.values().table().empty())
       std::cout << "        " << to_json(optimizer.options.values()) << '\n';
   }
-  for (const LeftOut& left_out : study.left_out)
-    std::cout << fmt::format("  left out: {}: {}\n", left_out.label, left_out.reason);
+  for (const std::string& line : report::left_out_lines(study.left_out)) std::cout << "  left out: " << line << '\n';
   if (!each) return;
   std::cout << "\nkey                               problem, optimizer, repeat\n";
   for (const Trial& trial : trials)

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "left_out.h"
 #include "number_text.h"
 #include "report.h"
 #include "table.h"
@@ -78,8 +79,7 @@ std::string problem_block(const ProblemReport& problem, std::size_t width) {
 std::string console_table(const ReportData& data, std::size_t width) {
   std::string text;
   for (const ProblemReport& problem : data.problems) text += problem_block(problem, width);
-  for (const LeftOut& entry : data.left_out)
-    text += fmt::format("Left out: {} ({}): {}\n", entry.label, entry.use, entry.reason);
+  for (const std::string& line : left_out_lines(data.left_out)) text += "Left out: " + line + "\n";
   for (const FailedTrial& trial : data.failed)
     text += fmt::format("Failed: {} on {}, repeat {}, {}: {}\n", trial.optimizer, trial.problem, trial.repeat,
                         to_string(trial.end), trial.reason);
