@@ -156,11 +156,7 @@ int command_line(const Registry& registry, int argc, const char* const* argv) {
     return app.exit(done);
   } catch (const CLI::ParseError& error) {
     std::cerr << "nodal: " << describe_usage_error(app, error, argc, argv) << '\n';
-  } catch (const InputError& error) {
-    std::cerr << "nodal: " << error.what() << '\n';
-  } catch (const StoreError& error) {
-    std::cerr << "nodal: " << error.what() << '\n';
-  } catch (const std::exception& error) {
+  } catch (const std::exception& error) {  // InputError, StoreError, and what else a library may throw
     std::cerr << "nodal: " << error.what() << '\n';
   }
   return kExitBadInput;

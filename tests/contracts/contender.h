@@ -18,7 +18,7 @@ struct Contender {
   std::string use;
   bool multi_start = false;
 
-  [[nodiscard]] const OptimizerDescription& description() const { return *registry().find_optimizer(use); }
+  [[nodiscard]] const OptimizerDescription& description() const { return *components().find_optimizer(use); }
   [[nodiscard]] Options options() const { return resolve_options(description().options, Value(), use); }
   [[nodiscard]] std::unique_ptr<Optimizer> make() const {
     const auto make_one = [made = description().make, o = options()] { return made(o); };
@@ -32,7 +32,7 @@ inline void PrintTo(const Contender& contender, std::ostream* out) { *out << con
 
 inline std::vector<Contender> contenders() {
   std::vector<Contender> all;
-  for (const OptimizerDescription& optimizer : registry().optimizers()) {
+  for (const OptimizerDescription& optimizer : components().optimizers()) {
     all.push_back({identifier(optimizer.name), optimizer.name});
     if (optimizer.local) all.push_back({identifier(optimizer.name) + "_multi_start", optimizer.name, true});
   }

@@ -9,19 +9,11 @@
 #include <string>
 #include <vector>
 
-#include <nodal/components.h>
 #include <nodal/study.h>
 
-namespace nodal::contracts {
+#include "../support/components.h"
 
-inline const Registry& registry() {
-  static const Registry all = [] {
-    Registry r;
-    register_components(r);
-    return r;
-  }();
-  return all;
-}
+namespace nodal::contracts {
 
 /// A name as GoogleTest wants it.
 inline std::string identifier(std::string name) {
@@ -42,7 +34,7 @@ inline void PrintTo(const Sample& sample, std::ostream* out) { *out << sample.na
 
 inline std::vector<Sample> samples() {
   std::vector<Sample> all;
-  for (const ProblemDescription& problem : registry().problems()) {
+  for (const ProblemDescription& problem : components().problems()) {
     all.push_back({identifier(problem.kind), problem.kind, ""});
     if (problem.kind != "elastic") continue;
     all.push_back({"elastic_small", "elastic", "points = { layout = \"grid\", counts = [4, 3] }\n"});
@@ -53,7 +45,7 @@ inline std::vector<Sample> samples() {
 }
 
 inline std::shared_ptr<const Problem> make_problem(const Sample& sample) {
-  return parse_study("[problem]\nkind = \"" + sample.kind + "\"\n" + sample.settings, "contract.toml", registry())
+  return parse_study("[problem]\nkind = \"" + sample.kind + "\"\n" + sample.settings, "contract.toml", components())
       .problems.at(0)
       .problem;
 }

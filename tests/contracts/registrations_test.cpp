@@ -49,8 +49,8 @@ void check_schema(const OptionSchema& schema, const std::string& owner) {
 }
 
 TEST(Registrations, OfOptimizersAreComplete) {
-  ASSERT_FALSE(registry().optimizers().empty());
-  for (const OptimizerDescription& optimizer : registry().optimizers()) {
+  ASSERT_FALSE(components().optimizers().empty());
+  for (const OptimizerDescription& optimizer : components().optimizers()) {
     EXPECT_TRUE(is_kebab_case(optimizer.name)) << optimizer.name;
     EXPECT_FALSE(optimizer.summary.empty()) << optimizer.name;
     EXPECT_FALSE(optimizer.reference.empty()) << optimizer.name;
@@ -64,8 +64,8 @@ TEST(Registrations, OfOptimizersAreComplete) {
 }
 
 TEST(Registrations, OfProblemsAreComplete) {
-  ASSERT_FALSE(registry().problems().empty());
-  for (const ProblemDescription& problem : registry().problems()) {
+  ASSERT_FALSE(components().problems().empty());
+  for (const ProblemDescription& problem : components().problems()) {
     EXPECT_TRUE(is_kebab_case(problem.kind)) << problem.kind;
     EXPECT_FALSE(problem.summary.empty()) << problem.kind;
     EXPECT_FALSE(problem.reference.empty()) << problem.kind;
@@ -75,16 +75,16 @@ TEST(Registrations, OfProblemsAreComplete) {
 }
 
 TEST(Registrations, OfProblemsLeaveTheStudysOwnKeysAlone) {
-  for (const ProblemDescription& problem : registry().problems())
+  for (const ProblemDescription& problem : components().problems())
     for (const Option& own : problem_entry_schema())
       EXPECT_EQ(std::ranges::find(problem.options, own.name, &Option::name), problem.options.end())
           << problem.kind << "." << own.name;
 }
 
 TEST(Registrations, OfWhatIsAbsentSayWhy) {
-  for (const AbsentDescription& absent : registry().absent()) {
+  for (const AbsentDescription& absent : components().absent()) {
     EXPECT_FALSE(absent.reason.empty()) << absent.name;
-    EXPECT_EQ(registry().find_optimizer(absent.name), nullptr) << absent.name;
+    EXPECT_EQ(components().find_optimizer(absent.name), nullptr) << absent.name;
   }
 }
 

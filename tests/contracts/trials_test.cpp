@@ -32,7 +32,7 @@ class EveryTrial : public testing::TestWithParam<Contender> {
 };
 
 TEST_P(EveryTrial, HasAnEndAndItsEffectiveOptions) {
-  const TrialRecord record = run_trial(study_of(std::make_shared<WatchedProblem>()), {}, registry());
+  const TrialRecord record = run_trial(study_of(std::make_shared<WatchedProblem>()), {}, components());
   EXPECT_TRUE(record.end == End::budget || record.end == End::finished)
       << to_string(record.end) << ": " << record.reason;
   EXPECT_FALSE(record.reason.empty());
@@ -46,7 +46,7 @@ TEST_P(EveryTrial, HasAnEndAndItsEffectiveOptions) {
 }
 
 TEST_P(EveryTrial, IsKeptAsALineThatReadsBack) {
-  const TrialRecord record = run_trial(study_of(std::make_shared<WatchedProblem>()), {}, registry());
+  const TrialRecord record = run_trial(study_of(std::make_shared<WatchedProblem>()), {}, components());
   const std::string line = to_json_line(record);
   EXPECT_EQ(to_json_line(parse_record(line, "line")), line);
 }
@@ -58,7 +58,7 @@ TEST_P(EveryTrial, OnAHostileProblemIsKeptAsALineToo) {
   const auto nowhere =
       std::make_shared<WatchedProblem>(Toy{}, [=](std::span<const double>, Evaluation) { return no_number; });
   for (const auto& problem : {half, nowhere}) {
-    const TrialRecord record = run_trial(study_of(problem), {}, registry());
+    const TrialRecord record = run_trial(study_of(problem), {}, components());
     EXPECT_FALSE(record.reason.empty());
     EXPECT_EQ(record.best.has_value(), problem == half);
     const std::string line = to_json_line(record);
@@ -70,7 +70,7 @@ TEST_P(EveryTrial, OnARegisteredProblemEndsNoWorseThanItStarted) {
   for (const Sample& sample : samples()) {
     const std::shared_ptr<const Problem> problem = make_problem(sample);
     if (!problem->abilities().missing(GetParam().description().needs).empty()) continue;
-    const TrialRecord record = run_trial(study_of(problem), {}, registry());
+    const TrialRecord record = run_trial(study_of(problem), {}, components());
     EXPECT_NE(to_string(record.end), "crashed") << sample.name;
     EXPECT_LE(record.counts.evaluations, 300) << sample.name;
     ASSERT_TRUE(record.best.has_value()) << sample.name << ": " << record.reason;

@@ -3,23 +3,14 @@
 
 #include <algorithm>
 
-#include <nodal/components.h>
 #include <nodal/study.h>
 
+#include "../support/components.h"
 #include "config_reference.h"
 #include "pages.h"
 
 namespace nodal::docs {
 namespace {
-
-const Registry& registry() {
-  static const Registry all = [] {
-    Registry r;
-    register_components(r);
-    return r;
-  }();
-  return all;
-}
 
 std::string how_to_mend() {
   return "docs/config_reference.md differs from the schemas; make it again with\n  " CONFIG_REFERENCE_TOOL " > " +
@@ -39,26 +30,26 @@ std::string first_difference(const std::string& page, const std::string& generat
 }
 
 TEST(ConfigReference, IsWhatTheSchemasSay) {
-  if (!is_complete(registry())) GTEST_SKIP() << "this build lacks a library: its sections are compared one by one";
-  const std::string page = read_page("config_reference.md"), generated = config_reference(registry());
+  if (!is_complete(components())) GTEST_SKIP() << "this build lacks a library: its sections are compared one by one";
+  const std::string page = read_page("config_reference.md"), generated = config_reference(components());
   EXPECT_TRUE(page == generated) << how_to_mend() << "\n" << first_difference(page, generated);
 }
 
 TEST(ConfigReference, HoldsEverySectionOfThisBuild) {
   const std::string page = read_page("config_reference.md");
-  for (const std::string& section : config_reference_sections(registry()))
+  for (const std::string& section : config_reference_sections(components()))
     EXPECT_NE(page.find(section), std::string::npos) << how_to_mend() << "\n" << section;
 }
 
 TEST(ConfigReference, BeginsWithAStudyThatCanBeRead) {
-  const Study study = parse_study(example_study(), "example.toml", registry());
+  const Study study = parse_study(example_study(), "example.toml", components());
   EXPECT_EQ(study.problems.size(), 1u);
   EXPECT_EQ(study.optimizers.size(), 3u);
 }
 
 // A cell that is cut in two by a pipe, or a line break in a help text, would break the page on GitHub.
 TEST(ConfigReference, HasTablesOfSixCells) {
-  std::istringstream lines(config_reference(registry()));
+  std::istringstream lines(config_reference(components()));
   int rows = 0;
   for (std::string line; std::getline(lines, line);) {
     if (!line.starts_with("|")) continue;

@@ -4,7 +4,6 @@
 
 #include <set>
 
-#include <nodal/components.h>
 #include <nodal/store.h>
 #include <nodal/study.h>
 #include <nodal/trial.h>
@@ -15,6 +14,7 @@
 #include "../bench/report/fixture.h"
 #include "../lib/temporary_directory.h"
 #include "../lib/toy_record.h"
+#include "../support/components.h"
 #include "pages.h"
 
 namespace nodal::docs {
@@ -61,19 +61,10 @@ use = "random-search"
                      "words.toml", registry);
 }
 
-const Registry& registry() {
-  static const Registry all = [] {
-    Registry r;
-    register_components(r);
-    return r;
-  }();
-  return all;
-}
-
 TEST(ReadingAReport, ExplainsEveryFieldOfARecord) {
-  const Study study = small_study(registry());
+  const Study study = small_study(components());
   for (const Trial& trial : all_trials(study)) {
-    const TrialRecord record = run_trial(study, trial, registry());
+    const TrialRecord record = run_trial(study, trial, components());
     ASSERT_EQ(record.end, End::budget) << record.reason;
     expect_keys_explained(parse_json(to_json_line(record), "record"), {"options"}, "a trial's record");
   }
@@ -124,7 +115,7 @@ TEST(ReadingAReport, ExplainsEveryColumnOfTheTable) {
 
 TEST(ReadingAReport, ExplainsEveryFieldOfTheManifest) {
   toy::TemporaryDirectory directory;
-  Study study = small_study(registry());
+  Study study = small_study(components());
   study.left_out = {{"lost", "nlopt-mma", "not in this build"}};
   Store store(directory.path());
   store.begin(study);

@@ -5,20 +5,12 @@
 
 #include <string>
 
-#include <nodal/components.h>
 #include <nodal/study.h>
 #include <nodal/trial.h>
 
-namespace nodal::plate {
+#include "../../support/components.h"
 
-inline const Registry& components() {
-  static const Registry registry = [] {
-    Registry r;
-    register_components(r);
-    return r;
-  }();
-  return registry;
-}
+namespace nodal::plate {
 
 struct PlateStudy {
   std::string poisson = "0.3";

@@ -4,20 +4,12 @@
 
 #include <string>
 
-#include <nodal/components.h>
 #include <nodal/trial.h>
+
+#include "../../support/components.h"
 
 namespace nodal {
 namespace {
-
-const Registry& components() {
-  static const Registry registry = [] {
-    Registry r;
-    register_components(r);
-    return r;
-  }();
-  return registry;
-}
 
 TrialRecord fit(const std::string& poisson, const std::string& optimizer, std::int64_t evaluations) {
   const std::string text =

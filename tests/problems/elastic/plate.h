@@ -6,9 +6,10 @@
 #include <memory>
 #include <string>
 
-#include <nodal/components.h>
 #include <nodal/elastic/elastic_problem.h>
 #include <nodal/study.h>
+
+#include "../../support/components.h"
 
 namespace nodal::elastic {
 
@@ -38,15 +39,6 @@ inline std::string plate_toml(const PlateOptions& o) {
          " }\nloads = { set = \"plate\", stress = " + number(o.stress) + ", supports = \"" + o.supports +
          "\" }\nquality = { weights = { inner = 1, border = 3, corner = 15 } }\nequilibrium = { method = \"" +
          o.solver + "\" }\n";
-}
-
-inline const Registry& components() {
-  static const Registry registry = [] {
-    Registry r;
-    register_components(r);
-    return r;
-  }();
-  return registry;
 }
 
 inline std::shared_ptr<const ElasticProblem> as_elastic(const Study& study) {
