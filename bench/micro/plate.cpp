@@ -14,14 +14,13 @@
 
 namespace nodal::micro {
 
-namespace {
-
-// This thread's processor time: what others do on the machine at the moment counts for neither side.
 double processor_seconds() {
   timespec now{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
+
+namespace {
 
 double seconds_of(const std::function<void()>& run, std::size_t calls) {
   const double began = processor_seconds();
@@ -53,14 +52,14 @@ const Registry& components() {
   return registry;
 }
 
-std::shared_ptr<const elastic::ElasticProblem> make_plate(std::size_t nodes) {
+std::shared_ptr<const elastic::ElasticProblem> make_plate(std::size_t nodes, const std::string& options) {
   const auto side = static_cast<std::size_t>(std::lround(std::sqrt(static_cast<double>(nodes))));
   if (side * side != nodes) throw std::invalid_argument("make_plate: the number of nodes must be a square");
   const std::string text = fmt::format(
       "[study]\nname = \"plate\"\n[problem]\nkind = \"elastic\"\n"
       "body = {{ shape = \"rectangle\", size = [4.0, 4.0], thickness = 1.0 }}\n"
       "points = {{ layout = \"grid\", counts = [{0}, {0}] }}\n",
-      side);
+      side) + options;
   return std::dynamic_pointer_cast<const elastic::ElasticProblem>(
       parse_study(text, "plate.toml", components()).problems.at(0).problem);
 }

@@ -17,10 +17,15 @@ namespace nodal::micro {
 [[nodiscard]] const Registry& components();
 
 /// The default plate with `nodes` = n² nodes, every spring its own coordinate.
-[[nodiscard]] std::shared_ptr<const elastic::ElasticProblem> make_plate(std::size_t nodes);
+/// `options`: further lines of its problem table.
+[[nodiscard]] std::shared_ptr<const elastic::ElasticProblem> make_plate(std::size_t nodes,
+                                                                        const std::string& options = "");
 
 /// Points around the start, each coordinate moved by up to ±20 %: no two calls in a row see the same one.
 [[nodiscard]] std::vector<std::vector<double>> make_points(const Space& space, std::size_t count);
+
+/// This thread's processor time: what others do on the machine at the moment counts for neither side.
+[[nodiscard]] double processor_seconds();
 
 /// Processor seconds per call of two things, as the medians over blocks that alternate, so that a slow moment of the
 /// machine meets both. `first` and `second` run their thing once.

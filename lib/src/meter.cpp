@@ -263,6 +263,19 @@ MeteredMoves& Meter::moves() {
   return *moves_;
 }
 
+std::optional<MovesReport> Meter::moves_report() const {
+  if (!moves_) return std::nullopt;
+  MovesReport report = moves_->moves_->report();
+  if (report.choices.empty()) return std::nullopt;
+  return report;
+}
+
+std::optional<double> Meter::drift() const {
+  const std::optional<double> own = moves_ ? moves_->moves_->report().drift : std::nullopt;
+  if (!own || !start_.ok() || !(start_.cost > 0.0)) return drift_;
+  return std::max(drift_.value_or(0.0), *own / start_.cost);
+}
+
 void Meter::note_drift(double expected, const Evaluation& fresh) {
   if (!fresh.ok() || !start_.ok() || !(start_.cost > 0.0)) return;
   drift_ = std::max(drift_.value_or(0.0), std::abs(expected - fresh.cost) / start_.cost);

@@ -3,27 +3,54 @@
 
 namespace nodal {
 
-std::array<std::uint32_t, 4> philox4x32(std::array<std::uint32_t, 4> counter,
-                                        std::array<std::uint32_t, 2> key) noexcept {
-  constexpr std::uint64_t kMultiplier0 = 0xD2511F53, kMultiplier1 = 0xCD9E8D57;
+namespace {
+
+// The words of N counters side by side, each 32 bits in 64: so the compiler multiplies several at once.
+template <std::size_t N>
+struct Counters {
+  std::array<std::array<std::uint64_t, N>, 4> word;
+};
+
+template <std::size_t N>
+void philox_rounds(Counters<N>& c, std::array<std::uint32_t, 2> key) noexcept {
+  constexpr std::uint64_t kMultiplier0 = 0xD2511F53, kMultiplier1 = 0xCD9E8D57, kLow = 0xFFFFFFFF;
   constexpr std::uint32_t kWeyl0 = 0x9E3779B9, kWeyl1 = 0xBB67AE85;
   for (int round = 0; round < 10; ++round) {
-    const std::uint64_t p0 = kMultiplier0 * counter[0];
-    const std::uint64_t p1 = kMultiplier1 * counter[2];
-    counter = {static_cast<std::uint32_t>(p1 >> 32) ^ counter[1] ^ key[0], static_cast<std::uint32_t>(p1),
-               static_cast<std::uint32_t>(p0 >> 32) ^ counter[3] ^ key[1], static_cast<std::uint32_t>(p0)};
+    for (std::size_t i = 0; i < N; ++i) {
+      const std::uint64_t p0 = kMultiplier0 * c.word[0][i], p1 = kMultiplier1 * c.word[2][i];
+      c.word[0][i] = (p1 >> 32) ^ c.word[1][i] ^ key[0];
+      c.word[1][i] = p1 & kLow;
+      c.word[2][i] = (p0 >> 32) ^ c.word[3][i] ^ key[1];
+      c.word[3][i] = p0 & kLow;
+    }
     key[0] += kWeyl0;
     key[1] += kWeyl1;
   }
+}
+
+}  // namespace
+
+std::array<std::uint32_t, 4> philox4x32(std::array<std::uint32_t, 4> counter,
+                                        std::array<std::uint32_t, 2> key) noexcept {
+  Counters<1> c{};
+  for (std::size_t w = 0; w < 4; ++w) c.word[w][0] = counter[w];
+  philox_rounds(c, key);
+  for (std::size_t w = 0; w < 4; ++w) counter[w] = static_cast<std::uint32_t>(c.word[w][0]);
   return counter;
 }
 
 void RandomStream::refill() noexcept {
-  const auto w = philox4x32({static_cast<std::uint32_t>(counter_), static_cast<std::uint32_t>(counter_ >> 32), 0, 0},
-                            {static_cast<std::uint32_t>(key_), static_cast<std::uint32_t>(key_ >> 32)});
-  words_ = {w[0] | std::uint64_t{w[1]} << 32, w[2] | std::uint64_t{w[3]} << 32};
+  Counters<kBatch> c{};
+  for (std::size_t i = 0; i < kBatch; ++i, ++counter_) {
+    c.word[0][i] = counter_ & 0xFFFFFFFF;
+    c.word[1][i] = counter_ >> 32;
+  }
+  philox_rounds(c, {static_cast<std::uint32_t>(key_), static_cast<std::uint32_t>(key_ >> 32)});
   left_ = words_.size();
-  ++counter_;
+  for (std::size_t i = 0; i < kBatch; ++i) {  // of each counter the second word first
+    words_[left_ - 1 - 2 * i] = c.word[2][i] | c.word[3][i] << 32;
+    words_[left_ - 2 - 2 * i] = c.word[0][i] | c.word[1][i] << 32;
+  }
 }
 
 std::size_t RandomStream::index(std::size_t count) noexcept {

@@ -52,6 +52,12 @@ class Writer {
       list.emplace_back(Value::List{Value(p.evaluation), Value(p.seconds), Value(p.factorizations), Value(p.quality)});
     return Value(std::move(list));
   }
+  static Value pack(const std::vector<MovesChoice>& choices) {
+    Value::List list;
+    for (const MovesChoice& c : choices)
+      list.emplace_back(Value::List{Value(c.proposal), Value(c.form), Value(c.reason)});
+    return Value(std::move(list));
+  }
 };
 
 class Reader {
@@ -135,6 +141,16 @@ class Reader {
     }
   }
 
+  void unpack(const char* key, const Value& found, std::vector<MovesChoice>& value) const {
+    if (!found.is_list()) fail(key, "is not a list");
+    for (const Value& item : found.list()) {
+      const bool three = item.is_list() && item.list().size() == 3;
+      if (!three || !item.list()[0].is_integer() || !item.list()[1].is_text() || !item.list()[2].is_text())
+        fail(key, "holds something else than [proposal, form, reason]");
+      value.push_back({item.list()[0].integer(), item.list()[1].text(), item.list()[2].text()});
+    }
+  }
+
   const Value& table_;
   std::string path_;
   const std::string& name_;
@@ -209,6 +225,14 @@ void describe(Archive& archive, T& claim) {
 }
 
 template <class Archive, class T>
+requires std::same_as<std::remove_const_t<T>, MovesReport>
+void describe(Archive& archive, T& moves) {
+  archive.field("choices", moves.choices);
+  archive.field("more_choices", moves.more_choices);
+  archive.field("checks", moves.checks);
+}
+
+template <class Archive, class T>
 requires std::same_as<std::remove_const_t<T>, Health>
 void describe(Archive& archive, T& health) {
   archive.field("error_estimate", health.error_estimate);
@@ -239,6 +263,7 @@ void describe(Archive& archive, T& record,
   archive.table("seconds", record.seconds);
   archive.field("trace", record.trace);
   archive.optional_table("claimed", record.claimed);
+  archive.optional_table("moves", record.moves);
   archive.table("health", record.health);
 }
 

@@ -148,6 +148,7 @@ class Run {
     }
     for (const auto& [key, value] : outcome.effective_options.table()) record_.options.set(key, value);
     record_.counts = meter.counts();
+    record_.moves = meter.moves_report();
     record_.trace = meter.trace();
     thin_trace(record_.trace, 2000);
   }

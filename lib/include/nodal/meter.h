@@ -124,9 +124,11 @@ class Meter {
   [[nodiscard]] const Counts& counts() const noexcept { return counts_; }
   /// Evaluations that returned another status than ok.
   [[nodiscard]] std::int64_t failed_evaluations() const noexcept { return failed_; }
-  /// The largest difference between a priced and a fresh cost that a resync of the walk has found, relative to the cost
-  /// at the start (relative to itself it would say nothing near a perfect fit).
-  [[nodiscard]] std::optional<double> drift() const noexcept { return drift_; }
+  /// The largest difference between a priced and a fresh cost that a resync of the walk, or the walk itself, has found,
+  /// relative to the cost at the start (relative to itself it would say nothing near a perfect fit).
+  [[nodiscard]] std::optional<double> drift() const;
+  /// What the walk says of itself, when there was one and it has something to say.
+  [[nodiscard]] std::optional<MovesReport> moves_report() const;
   [[nodiscard]] const std::vector<TracePoint>& trace() const noexcept { return trace_; }
   /// Wall time in the problem, estimated: evaluations and accepted moves from the sampled ones, the rest in full.
   [[nodiscard]] double evaluation_seconds() const noexcept { return evaluation_seconds_; }

@@ -13,11 +13,30 @@
 /// Threads  as the evaluator that owns it: one thread.
 
 #include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <span>
+#include <string>
+#include <vector>
 
 #include <nodal/status.h>
 
 namespace nodal {
+
+/// How a walk prices its proposals from some proposal on, and why.
+struct MovesChoice {
+  std::int64_t proposal = 0;
+  std::string form;
+  std::string reason;
+};
+
+/// What a walk can say about itself; it goes into the record.
+struct MovesReport {
+  std::vector<MovesChoice> choices;  ///< the first 32
+  std::int64_t more_choices = 0;     ///< that are not listed
+  std::int64_t checks = 0;           ///< comparisons with a fresh evaluation
+  std::optional<double> drift;       ///< the largest difference that they found, in units of the cost
+};
 
 class Moves {
  public:
@@ -34,6 +53,7 @@ class Moves {
   [[nodiscard]] virtual std::span<const double> current_point() const = 0;
   /// Evaluates the current point afresh, drops accumulated rounding, and returns its cost.
   virtual Evaluation resync() = 0;
+  [[nodiscard]] virtual MovesReport report() const { return {}; }
 
  protected:
   Moves() = default;

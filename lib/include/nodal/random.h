@@ -5,7 +5,7 @@
 /// other trials nor on threads.
 ///
 /// Philox4x32-10 (J. Salmon et al., "Parallel random numbers: as easy as 1, 2, 3", SC11): four 32-bit words per
-/// counter. Cost     about 3 ns per draw; no allocation. Threads: a plain value.
+/// counter. Cost     about 2 ns per draw; no allocation. Threads: a plain value.
 
 #include <array>
 #include <cstddef>
@@ -43,9 +43,11 @@ class RandomStream {
  private:
   void refill() noexcept;
 
+  static constexpr std::size_t kBatch = 4;  // counters at once: rounds of one wait for each other, of several don't
+
   std::uint64_t key_;
   std::uint64_t counter_ = 0;
-  std::array<std::uint64_t, 2> words_{};
+  std::array<std::uint64_t, 2 * kBatch> words_{};  // drawn from the back
   std::size_t left_ = 0;
 };
 

@@ -74,6 +74,7 @@ struct TrialRecord {
   Seconds seconds;
   std::vector<TracePoint> trace;
   std::optional<ClaimRecord> claimed;
+  std::optional<MovesReport> moves;  ///< how single changes were priced; its drift stands in `health`
   Health health;
 };
 

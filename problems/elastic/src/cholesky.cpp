@@ -5,6 +5,7 @@
 #include <dlfcn.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <new>
 #include <stdexcept>
@@ -201,6 +202,8 @@ struct Cholesky::Handles {
   cholmod_sparse matrix;
   FactorOwner factor;
   std::vector<double> right_hand_side;
+  std::vector<int> update_begins, update_rows;
+  std::vector<double> update_values;
   cholmod_dense* solution = nullptr;
   cholmod_dense* workspace_y = nullptr;
   cholmod_dense* workspace_e = nullptr;
@@ -220,6 +223,21 @@ Status Cholesky::factorize() {
   if (h.common->status == CHOLMOD_OK) return Status::ok;
   failed_position_ = std::min(h.factor->minor, pattern_.size() - 1);
   return Status::not_positive_definite;
+}
+
+void Cholesky::update(std::span<const int> positions, std::span<const double> b, double delta) {
+  Handles& h = *handles_;
+  h.update_rows.assign(positions.begin(), positions.end());
+  h.update_values.resize(b.size());
+  const double root = std::sqrt(std::abs(delta));
+  for (std::size_t i = 0; i < b.size(); ++i) h.update_values[i] = root * b[i];
+  std::vector<int>& begins = h.update_begins;
+  begins = {0, static_cast<int>(b.size())};
+  cholmod_sparse column = view(pattern_.size(), begins, h.update_rows, h.update_values.data(), 0);
+  column.ncol = 1;
+  h.common->status = CHOLMOD_OK;
+  cholmod_updown(delta > 0.0, &column, h.factor.get(), h.common.get());
+  if (h.common->status == CHOLMOD_OUT_OF_MEMORY) throw std::bad_alloc();
 }
 
 double Cholesky::smallest_pivot_ratio() const {

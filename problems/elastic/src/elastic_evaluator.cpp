@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "rank_one_moves.h"
+#include "moves/elastic_moves.h"
 
 namespace nodal::elastic {
 
@@ -24,38 +24,20 @@ void require_size(std::size_t actual, std::size_t wanted, const char* what) {
 
 ElasticEvaluator::ElasticEvaluator(const ElasticModel& model)
     : model_(model),
+      full_(model),
       x_(model.parameters.size()),
       stiffness_(model.parameters.springs()),
-      by_spring_(model.parameters.springs()) {
-  for (const auto& group : model.groups) equilibria_.push_back(std::make_unique<Equilibrium>(*group));
-}
+      by_spring_(model.parameters.springs()) {}
 
 ElasticEvaluator::~ElasticEvaluator() = default;
 
 Evaluation ElasticEvaluator::evaluate_stiffness(bool refined) {
   at_point_ = false;
-  if (!std::ranges::all_of(stiffness_, usable_stiffness)) return {Status::invalid_input, 0.0};
-  double squared = 0.0;
-  Health health;
-  for (std::size_t g = 0; g < equilibria_.size(); ++g) {
-    Equilibrium& equilibrium = *equilibria_[g];
-    failed_group_ = g;
-    if (const Status status = equilibrium.factorize(stiffness_); status != Status::ok) return {status, 0.0};
-    if (const Status status = equilibrium.solve_loads(); status != Status::ok) return {status, 0.0};
-    if (refined) {
-      const Refinement refinement = equilibrium.refine();
-      health.error_estimate = std::max(health.error_estimate.value_or(0.0), refinement.error_estimate);
-      health.residual = std::max(health.residual.value_or(0.0), refinement.residual);
-      if (refinement.status != Status::ok) return {refinement.status, 0.0};
-    }
-    for (std::size_t l = 0; l < equilibrium.group().loads().size(); ++l)
-      squared += squared_error(equilibrium.group(), l, equilibrium.displacement(l).data());
-  }
-  if (!std::isfinite(squared)) return {Status::ill_conditioned, 0.0};
-  if (refined) health_ = health;
+  if (const Status status = full_.solve(stiffness_, refined); status != Status::ok) return {status, 0.0};
+  if (refined) health_ = full_.health();
   at_point_ = true;
   refined_ = refined;
-  cost_ = model_.cost(squared);
+  cost_ = model_.cost(full_.squared());
   return {Status::ok, cost_};
 }
 
@@ -85,25 +67,8 @@ Evaluation ElasticEvaluator::solve_refined(std::span<const double> stiffness, st
   std::ranges::copy(stiffness, stiffness_.begin());
   const Evaluation result = evaluate_stiffness(true);
   at_point_ = false;  // there need not be an x for these stiffnesses
-  if (!result.ok()) message = describe(result.status, failed_group_);
+  if (!result.ok()) message = full_.describe(result.status);
   return result;
-}
-
-std::string ElasticEvaluator::describe(Status status, std::size_t group) const {
-  switch (status) {
-    case Status::invalid_input: {
-      const auto bad = std::ranges::find_if_not(stiffness_, usable_stiffness);
-      const Spring& s = model_.scene.net.springs[static_cast<std::size_t>(bad - stiffness_.begin())];
-      return fmt::format("spring ({}, {}) has stiffness {}, which can't be computed with", s.first, s.second, *bad);
-    }
-    case Status::not_positive_definite:
-      return fmt::format("the net is a mechanism or not supported: it gives way at node {} (support group {})",
-                         equilibria_[group]->failed_node(), group);
-    case Status::ill_conditioned:
-      return fmt::format("stiffnesses differ too much for double precision (support group {})", group);
-    default:
-      return {};
-  }
 }
 
 void ElasticEvaluator::require_point() const {
@@ -132,11 +97,12 @@ Evaluation ElasticEvaluator::residuals_and_jacobian(std::span<const double> x, s
 
 void ElasticEvaluator::write_residuals(std::span<double> residuals) {
   const double scale = 1.0 / model_.reference_norm;
-  for (auto& equilibrium : equilibria_) {
-    const EquilibriumGroup& group = equilibrium->group();
+  for (std::size_t g = 0; g < full_.groups(); ++g) {
+    Equilibrium& equilibrium = full_.group(g);
+    const EquilibriumGroup& group = equilibrium.group();
     for (std::size_t l = 0; l < group.loads().size(); ++l) {
       const EquilibriumGroup::Load& load = group.loads()[l];
-      const double* u = equilibrium->displacement(l).data();
+      const double* u = equilibrium.displacement(l).data();
       double* row = residuals.data() + model_.first_residual[load.index];
       for (std::size_t i = 0; i < group.free(); ++i)
         row[group.residual_at(i)] = scale * std::sqrt(group.weights()[i]) * (u[i] - load.reference[i]);
@@ -161,16 +127,17 @@ Status ElasticEvaluator::gradient(std::span<double> gradient) {
   require_point();
   require_size(gradient.size(), x_.size(), "gradient");
   std::ranges::fill(by_spring_, 0.0);
-  for (auto& equilibrium : equilibria_) {
-    const EquilibriumGroup& group = equilibrium->group();
-    const std::span<double> rhs = equilibrium->factor().right_hand_side(group.loads().size());
+  for (std::size_t g = 0; g < full_.groups(); ++g) {
+    Equilibrium& equilibrium = full_.group(g);
+    const EquilibriumGroup& group = equilibrium.group();
+    const std::span<double> rhs = equilibrium.factor().right_hand_side(group.loads().size());
     for (std::size_t l = 0; l < group.loads().size(); ++l) {
-      const double* u = equilibrium->displacement(l).data();
+      const double* u = equilibrium.displacement(l).data();
       const double* reference = group.loads()[l].reference.data();
       double* column = rhs.data() + l * group.free();
       for (std::size_t i = 0; i < group.free(); ++i) column[i] = group.weights()[i] * (u[i] - reference[i]);
     }
-    add_adjoint(*equilibrium, by_spring_);
+    add_adjoint(equilibrium, by_spring_);
   }
   for (double& entry : by_spring_) entry *= model_.inverse_reference_squared;
   model_.parameters.chain(stiffness_, by_spring_, gradient);
@@ -181,7 +148,7 @@ Status ElasticEvaluator::jacobian(std::span<double> jacobian) {
   require_point();
   require_size(jacobian.size(), model_.residual_count * x_.size(), "jacobian");
   std::ranges::fill(jacobian, 0.0);
-  for (std::size_t g = 0; g < equilibria_.size(); ++g)
+  for (std::size_t g = 0; g < full_.groups(); ++g)
     for (std::size_t begin = 0; begin < stiffness_.size(); begin += kJacobianColumns)
       add_jacobian_columns(g, begin, std::min(begin + kJacobianColumns, stiffness_.size()), jacobian);
   return Status::ok;
@@ -189,7 +156,7 @@ Status ElasticEvaluator::jacobian(std::span<double> jacobian) {
 
 void ElasticEvaluator::add_jacobian_columns(std::size_t g, std::size_t begin, std::size_t end,
                                             std::span<double> jacobian) {
-  Equilibrium& equilibrium = *equilibria_[g];
+  Equilibrium& equilibrium = full_.group(g);
   const EquilibriumGroup& group = equilibrium.group();
   const std::size_t free = group.free(), count = end - begin, width = x_.size();
   const std::span<double> rhs = equilibrium.factor().right_hand_side(count);
@@ -218,12 +185,13 @@ Status ElasticEvaluator::jacobian_product(std::span<const double> v, std::span<d
   require_point();
   require_size(v.size(), x_.size(), "v");
   require_size(jv.size(), model_.residual_count, "jv");
-  for (auto& equilibrium : equilibria_) {
-    const EquilibriumGroup& group = equilibrium->group();
-    const std::span<double> rhs = equilibrium->factor().right_hand_side(group.loads().size());
-    const std::span<double> sum = equilibrium->scratch();
+  for (std::size_t g = 0; g < full_.groups(); ++g) {
+    Equilibrium& equilibrium = full_.group(g);
+    const EquilibriumGroup& group = equilibrium.group();
+    const std::span<double> rhs = equilibrium.factor().right_hand_side(group.loads().size());
+    const std::span<double> sum = equilibrium.scratch();
     for (std::size_t l = 0; l < group.loads().size(); ++l) {
-      const double* u = equilibrium->displacement(l).data();
+      const double* u = equilibrium.displacement(l).data();
       std::ranges::fill(sum, 0.0);
       for (std::size_t e = 0; e < stiffness_.size(); ++e)
         group.add_spring(e, -stiffness_[e] * v[model_.parameters.coordinate_of(e)] * group.elongation(e, u),
@@ -231,7 +199,7 @@ Status ElasticEvaluator::jacobian_product(std::span<const double> v, std::span<d
       std::copy_n(sum.data(), group.free(), rhs.data() + l * group.free());
     }
     std::ranges::fill(sum, 0.0);
-    const std::span<const double> du = equilibrium->solve(group.loads().size());
+    const std::span<const double> du = equilibrium.solve(group.loads().size());
     for (std::size_t l = 0; l < group.loads().size(); ++l) {
       double* row = jv.data() + model_.first_residual[group.loads()[l].index];
       for (std::size_t i = 0; i < group.free(); ++i)
@@ -246,30 +214,30 @@ Status ElasticEvaluator::jacobian_transposed_product(std::span<const double> w, 
   require_size(w.size(), model_.residual_count, "w");
   require_size(jtw.size(), x_.size(), "jtw");
   std::ranges::fill(by_spring_, 0.0);
-  for (auto& equilibrium : equilibria_) {
-    const EquilibriumGroup& group = equilibrium->group();
-    const std::span<double> rhs = equilibrium->factor().right_hand_side(group.loads().size());
+  for (std::size_t g = 0; g < full_.groups(); ++g) {
+    Equilibrium& equilibrium = full_.group(g);
+    const EquilibriumGroup& group = equilibrium.group();
+    const std::span<double> rhs = equilibrium.factor().right_hand_side(group.loads().size());
     for (std::size_t l = 0; l < group.loads().size(); ++l) {
       const double* row = w.data() + model_.first_residual[group.loads()[l].index];
       double* column = rhs.data() + l * group.free();
       for (std::size_t i = 0; i < group.free(); ++i)
         column[i] = std::sqrt(group.weights()[i]) * row[group.residual_at(i)] / model_.reference_norm;
     }
-    add_adjoint(*equilibrium, by_spring_);
+    add_adjoint(equilibrium, by_spring_);
   }
   model_.parameters.chain(stiffness_, by_spring_, jtw);
   return Status::ok;
 }
 
 Moves* ElasticEvaluator::moves() {
-  if (!model_.parameters.one_to_one()) return nullptr;
-  if (!moves_) moves_ = std::make_unique<RankOneMoves>(model_);
+  if (!moves_) moves_ = std::make_unique<ElasticMoves>(model_);
   return moves_.get();
 }
 
 Work ElasticEvaluator::work() const {
-  Work total = moves_ ? moves_->work() : Work{};
-  for (const auto& equilibrium : equilibria_) total += equilibrium->work();
+  Work total = full_.work();
+  if (moves_) total += moves_->work();
   return total;
 }
 

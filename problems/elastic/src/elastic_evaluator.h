@@ -16,11 +16,11 @@
 #include <memory>
 #include <vector>
 
-#include "elastic_model.h"
+#include "full_evaluation.h"
 
 namespace nodal::elastic {
 
-class RankOneMoves;
+class ElasticMoves;
 
 class ElasticEvaluator final : public Evaluator {
  public:
@@ -43,26 +43,24 @@ class ElasticEvaluator final : public Evaluator {
 
   /// The same by stiffnesses, which bounds and parameters don't restrict: refined. `message` says what is wrong.
   Evaluation solve_refined(std::span<const double> stiffness, std::string& message);
-  [[nodiscard]] Equilibrium& equilibrium(std::size_t group) { return *equilibria_.at(group); }
+  [[nodiscard]] Equilibrium& equilibrium(std::size_t group) { return full_.group(group); }
 
  private:
   Evaluation evaluate(std::span<const double> x, bool refined);
   Evaluation evaluate_stiffness(bool refined);
-  std::string describe(Status status, std::size_t group) const;
   void require_point() const;
   void write_residuals(std::span<double> residuals);
   void add_adjoint(Equilibrium& equilibrium, std::span<double> by_spring);
   void add_jacobian_columns(std::size_t group, std::size_t begin, std::size_t end, std::span<double> jacobian);
 
   const ElasticModel& model_;
-  std::vector<std::unique_ptr<Equilibrium>> equilibria_;
+  FullEvaluation full_;
   std::vector<double> x_, stiffness_, by_spring_;
   bool at_point_ = false;  // x_, factors and displacements belong to one successful evaluation
   bool refined_ = false;   // … and that was an audit
   double cost_ = 0.0;
-  std::size_t failed_group_ = 0;
   Health health_;
-  std::unique_ptr<RankOneMoves> moves_;
+  std::unique_ptr<ElasticMoves> moves_;
 };
 
 }  // namespace nodal::elastic

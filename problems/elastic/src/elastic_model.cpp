@@ -3,6 +3,8 @@
 
 #include <stdexcept>
 
+#include "moves/lane_model.h"
+
 namespace nodal::elastic {
 
 ElasticModel::ElasticModel(Scene scene_of_problem)
@@ -33,6 +35,13 @@ ElasticModel::ElasticModel(Scene scene_of_problem)
   if (!std::isfinite(squared)) throw InputError("the reference displacement is not finite; check stress and young");
   reference_norm = std::sqrt(squared);
   inverse_reference_squared = 1.0 / squared;
+}
+
+ElasticModel::~ElasticModel() = default;
+
+const LaneModel& ElasticModel::lanes() const {
+  std::call_once(lanes_made_, [this] { lanes_ = std::make_unique<const LaneModel>(*this); });
+  return *lanes_;
 }
 
 }  // namespace nodal::elastic

@@ -9,14 +9,21 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <mutex>
 #include <vector>
 
 #include "equilibrium.h"
 
 namespace nodal::elastic {
 
+struct LaneModel;
+
 struct ElasticModel {
   explicit ElasticModel(Scene scene_of_problem);
+  ~ElasticModel();
+
+  /// What walks share; made at the first call. Safe to call from several threads.
+  [[nodiscard]] const LaneModel& lanes() const;
 
   /// ½ (G/‖u_ref‖_W)² from G² = Σ w (u − u_ref)².
   [[nodiscard]] double cost(double squared_quality) const noexcept {
@@ -30,6 +37,10 @@ struct ElasticModel {
   double inverse_reference_squared = 0.0;
   std::size_t residual_count = 0;           ///< free freedoms, summed over loads
   std::vector<std::size_t> first_residual;  ///< by load
+
+ private:
+  mutable std::once_flag lanes_made_;
+  mutable std::unique_ptr<const LaneModel> lanes_;
 };
 
 /// A stiffness that arithmetic can be trusted with: finite, and not so small that it has lost digits.

@@ -48,7 +48,7 @@ const Scene& ElasticProblem::scene() const noexcept { return data_->model.scene;
 const Parameters& ElasticProblem::parameters() const noexcept { return data_->model.parameters; }
 
 Abilities ElasticProblem::abilities() const {
-  return {.gradient = true, .residuals = true, .jacobian_products = true, .moves = parameters().one_to_one()};
+  return {.gradient = true, .residuals = true, .jacobian_products = true, .moves = true};
 }
 
 std::size_t ElasticProblem::residual_count() const { return data_->model.residual_count; }
@@ -129,9 +129,11 @@ std::vector<Stage> ElasticProblem::stages() const {
        fmt::format("CHOLMOD {}, {} factorization{} per value", supernodal ? "supernodal" : "simplicial",
                    model.groups.size(), model.groups.size() == 1 ? "" : "s")},
       {"gradient", true, "adjoint: one more solve per load, from the same factorizations"},
-      {"rank-one moves", parameters().one_to_one(),
-       parameters().one_to_one() ? "one solve per support group prices a proposal"
-                                 : "tied springs: proposals are full evaluations"},
+      {"moves", true,
+       s.moves.form != "auto" ? fmt::format("priced by the form that is asked for: {}", s.moves.form)
+       : parameters().one_to_one()
+           ? "priced one changed spring at a time, lazily while most are accepted, from a list of all springs later"
+           : "priced by as many rank-one changes as springs are tied, or by factoring anew where that costs less"},
   };
 }
 

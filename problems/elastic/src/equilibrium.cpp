@@ -106,11 +106,7 @@ void EquilibriumGroup::place_freedoms(const Scene& scene) {
   }
   weights_.assign(count, 0.0);
   for (std::size_t i = 0; i < count; ++i) {
-    const std::size_t node = i / 2;
-    const double weight = scene.net.on_corner(node)   ? scene.weights.corner
-                          : scene.net.on_border(node) ? scene.weights.border
-                                                      : scene.weights.inner;
-    if (!fixed_[i]) weights_[place_[i]] = weight;
+    if (!fixed_[i]) weights_[place_[i]] = scene.weight_of(i / 2);
   }
 }
 
@@ -141,6 +137,10 @@ void EquilibriumGroup::assemble(std::span<const double> stiffness, std::span<dou
       sum += terms_[t].factor * stiffness[terms_[t].spring];
     values[i] = sum;
   }
+}
+
+bool plain_solve_loses(std::size_t unknowns, double smallest_pivot_ratio) noexcept {
+  return kRounding * static_cast<double>(unknowns) > kRaceAccuracy * smallest_pivot_ratio;
 }
 
 Equilibrium::Equilibrium(const EquilibriumGroup& group)
@@ -185,9 +185,7 @@ Status Equilibrium::solve_loads() {
     std::copy(group_.prescribed().begin() + static_cast<std::ptrdiff_t>(free), group_.prescribed().end(),
               u.begin() + static_cast<std::ptrdiff_t>(free));
   }
-  // Cancellation in the worst pivot, growing with the number of unknowns, bounds what a plain solve has lost.
-  const bool lossy = kRounding * static_cast<double>(free) > kRaceAccuracy * factor_.smallest_pivot_ratio();
-  first_correction_ = lossy ? correct() : 0.0;
+  first_correction_ = plain_solve_loses(free, factor_.smallest_pivot_ratio()) ? correct() : 0.0;
   return first_correction_ > kSuspiciousCorrection ? refine().status : Status::ok;
 }
 

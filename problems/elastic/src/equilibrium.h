@@ -124,6 +124,10 @@ struct Refinement {
   double residual = 0.0;  ///< backward error ‖r‖/(‖f‖ + ‖|K||u|‖) before the last step: what rounding leaves is 1e-16
 };
 
+/// True when a plain solve with a factor whose worst pivot kept `smallest_pivot_ratio` of its diagonal may be off by more
+/// than a race allows (1e-10): cancellation in that pivot, growing with the number of unknowns, bounds what is lost.
+[[nodiscard]] bool plain_solve_loses(std::size_t unknowns, double smallest_pivot_ratio) noexcept;
+
 class Equilibrium {
  public:
   explicit Equilibrium(const EquilibriumGroup& group);
@@ -140,6 +144,9 @@ class Equilibrium {
 
   /// Placed displacements of a load of the group: [2·nodes].
   [[nodiscard]] std::span<double> displacement(std::size_t load) noexcept {
+    return std::span(displacements_).subspan(load * group_.freedoms(), group_.freedoms());
+  }
+  [[nodiscard]] std::span<const double> displacement(std::size_t load) const noexcept {
     return std::span(displacements_).subspan(load * group_.freedoms(), group_.freedoms());
   }
   [[nodiscard]] const EquilibriumGroup& group() const noexcept { return group_; }

@@ -91,6 +91,12 @@ std::span<const std::size_t> Parameters::springs_of(std::size_t coordinate) cons
   return std::span(members_).subspan(first_.at(coordinate), first_.at(coordinate + 1) - first_[coordinate]);
 }
 
+std::size_t Parameters::largest_group() const noexcept {
+  std::size_t largest = 0;
+  for (std::size_t g = 0; g < size(); ++g) largest = std::max(largest, first_[g + 1] - first_[g]);
+  return largest;
+}
+
 void Parameters::stiffness(std::span<const double> coordinates, std::span<double> stiffness) const {
   if (one_to_one()) {
     for (std::size_t e = 0; e < springs(); ++e) stiffness[e] = std::exp(coordinates[e]);

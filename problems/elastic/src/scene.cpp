@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "energy_start.h"
+#include "lanes/lane_instructions.h"
 
 namespace nodal::elastic {
 
@@ -129,6 +130,23 @@ void read_start(const Options& springs, const ProblemContext& context, Scene& sc
   for (double& k : scene.initial_stiffness) k *= factor;
 }
 
+MovesOptions read_moves(const Options& options, const Scene& scene) {
+  const MovesOptions moves{options.text("form"), options.text("instructions")};
+  const bool listed = moves.form == "eager" || moves.form == "updown";
+  if (listed && !Parameters(scene.net, scene.parameter_rule).one_to_one())
+    throw InputError(options.at("form").source,
+                     fmt::format("'{}' prices one changed spring at a time, and parameters = '{}' ties springs; take "
+                                 "'auto', 'lazy', 'refactor' or 'full'",
+                                 moves.form, scene.parameter_rule));
+  try {
+    (void)lane_kernels(1, moves.instructions);
+  } catch (const std::invalid_argument& error) {
+    throw InputError(options.at("instructions").source,
+                     fmt::format("{}; take 'auto', which is '{}' here", error.what(), best_lane_instructions()));
+  }
+  return moves;
+}
+
 }  // namespace
 
 Scene make_scene(const Options& options, const ProblemContext& context) {
@@ -158,6 +176,7 @@ Scene make_scene(const Options& options, const ProblemContext& context) {
   } catch (const std::invalid_argument& error) {
     throw InputError(springs.at("parameters").source, std::string(error.what()) + "; take 'each' or 'by-direction'");
   }
+  scene.moves = read_moves(options.table("moves"), scene);
   scene.stiffness_bounds = read_bounds(springs, scene.material.young * body.thickness);
   read_start(springs, context, scene);
   return scene;

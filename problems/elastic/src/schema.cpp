@@ -82,6 +82,19 @@ OptionSchema loads_fields() {
   };
 }
 
+OptionSchema moves_fields() {
+  return {
+      {.name = "form", .type = OptionType::text, .default_value = "auto",
+       .choices = {"auto", "eager", "lazy", "refactor", "updown", "full"},
+       .help = "auto chooses by size and by how much is accepted, and changes its mind; eager keeps a price list of all "
+               "springs, lazy solves for each proposal, refactor factors for each (all three for all support groups at "
+               "once), updown keeps the list by CHOLMOD's updates, full evaluates each proposal by CHOLMOD"},
+      {.name = "instructions", .type = OptionType::text, .default_value = "auto",
+       .choices = {"auto", "generic", "sse2", "avx2", "avx512"},
+       .help = "of the vector kernels; auto takes the widest that the processor has"},
+  };
+}
+
 OptionSchema weight_fields() {
   const auto weight = [](const char* name, double value, const char* help) {
     return Option{.name = name, .type = OptionType::number, .default_value = value, .minimum = 0.0, .help = help};
@@ -114,6 +127,7 @@ OptionSchema elastic_schema() {
       table("equilibrium", "how equilibria are solved",
             {{.name = "method", .type = OptionType::text, .default_value = "auto", .choices = {"auto", "simplicial", "supernodal"},
               .help = "CHOLMOD's factorization; auto chooses by size"}}),
+      table("moves", "how single changes are priced, as annealing makes them", moves_fields()),
   };
 }
 

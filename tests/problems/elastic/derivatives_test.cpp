@@ -119,22 +119,20 @@ TEST_P(Derivatives, ComeFromTheLastPointsFactorization) {
 
 TEST_P(Derivatives, MovesArePricedLikeFullEvaluations) {
   Moves* moves = evaluator_->moves();
-  if (!problem_->abilities().moves) {
-    EXPECT_EQ(moves, nullptr);
-    return;
-  }
+  ASSERT_NE(moves, nullptr);
   const auto full = problem_->make_evaluator();
   std::vector<double> x = random_point(problem_->space(), random_);
   ASSERT_NEAR(moves->reset(x).cost, full->value(x).cost, 1e-12 * full->value(x).cost);
   for (int step = 0; step < 300; ++step) {
     const std::size_t i = random_.index(x.size());
     std::vector<double> y = x;
-    y[i] += random_.uniform(-2.0, 2.0);
+    y[i] = std::clamp(y[i] + random_.uniform(-2.0, 2.0), problem_->space().lower()[i], problem_->space().upper()[i]);
     const Evaluation priced = moves->propose(i, y[i]);
     const Evaluation expected = full->audit(y);
-    ASSERT_TRUE(priced.ok());
-    // Pricing works on an unrefined equilibrium: 1e-10 is what the race promises.
-    EXPECT_NEAR(priced.cost, expected.cost, 1e-10 * expected.cost);
+    ASSERT_TRUE(priced.ok()) << to_string(priced.status) << " where a full evaluation is " << to_string(expected.status);
+    if (!expected.ok()) continue;  // a corner of the box, where double precision can't vouch for the digits
+    // Pricing works on an unrefined equilibrium: 1e-10 of u is what the race promises, twice that of a square.
+    EXPECT_NEAR(priced.cost, expected.cost, 2e-10 * expected.cost);
     if (step % 3 == 0) {
       ASSERT_EQ(moves->accept(), Status::ok);
       x = y;

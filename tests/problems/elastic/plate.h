@@ -27,6 +27,8 @@ struct PlateOptions {
   double stress = 1.0;
   double young = 1.0;
   std::string solver = "auto";
+  std::string moves = "auto";
+  std::string instructions = "auto";
 };
 
 inline std::string plate_toml(const PlateOptions& o) {
@@ -38,7 +40,7 @@ inline std::string plate_toml(const PlateOptions& o) {
          "\", initial = " + o.initial + ", bounds = " + o.bounds +
          " }\nloads = { set = \"plate\", stress = " + number(o.stress) + ", supports = \"" + o.supports +
          "\" }\nquality = { weights = { inner = 1, border = 3, corner = 15 } }\nequilibrium = { method = \"" +
-         o.solver + "\" }\n";
+         o.solver + "\" }\nmoves = { form = \"" + o.moves + "\", instructions = \"" + o.instructions + "\" }\n";
 }
 
 inline std::shared_ptr<const ElasticProblem> as_elastic(const Study& study) {

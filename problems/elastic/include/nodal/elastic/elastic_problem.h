@@ -26,6 +26,12 @@ struct Weights {
   double inner = 1.0, border = 3.0, corner = 15.0;
 };
 
+/// How single changes are priced; docs/formulation.md explains the forms.
+struct MovesOptions {
+  std::string form = "auto";          ///< auto | eager | lazy | refactor | updown | full
+  std::string instructions = "auto";  ///< of the lane kernels: auto, or one of lane_instructions()
+};
+
 /// Everything that defines the problem, already consistent.
 struct Scene {
   Net net;
@@ -38,6 +44,12 @@ struct Scene {
   std::string initial_rule;                     ///< for `explain`
   std::string solver = "auto";                  ///< auto | simplicial | supernodal
   double stress = 1.0;
+  MovesOptions moves = {};
+
+  /// Of squared differences at a node's free freedoms.
+  [[nodiscard]] double weight_of(std::size_t node) const {
+    return net.on_corner(node) ? weights.corner : net.on_border(node) ? weights.border : weights.inner;
+  }
 };
 
 /// The equilibrium of one load at given stiffnesses.

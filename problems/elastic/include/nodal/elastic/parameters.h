@@ -30,6 +30,8 @@ class Parameters {
   [[nodiscard]] std::size_t coordinate_of(std::size_t spring) const { return group_[spring]; }
   /// The springs that a coordinate moves, ascending.
   [[nodiscard]] std::span<const std::size_t> springs_of(std::size_t coordinate) const;
+  /// How many springs the coordinate moves that moves most.
+  [[nodiscard]] std::size_t largest_group() const noexcept;
   /// True when every coordinate moves one spring, in the same order.
   [[nodiscard]] bool one_to_one() const noexcept { return size() == springs(); }
 

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+/// The equilibria of all support groups at given stiffnesses, by CHOLMOD, and the G² that they add up to.
+///
+/// Every figure of the elastic problem comes from here or is checked against it.
+/// Cost     one factorization per group, one solve per load; after the first call our own code allocates nothing.
+/// Threads  one per thread.
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "elastic_model.h"
+
+namespace nodal::elastic {
+
+class FullEvaluation {
+ public:
+  explicit FullEvaluation(const ElasticModel& model);
+
+  /// G² = Σ w (u − u_ref)² at [springs] stiffnesses, which must stay as they are while this object is used.
+  /// `refined`: as far as double precision goes, filling `health()`.
+  Status solve(std::span<const double> stiffness, bool refined = false);
+  /// Of the last solve that was ok.
+  [[nodiscard]] double squared() const noexcept { return squared_; }
+  [[nodiscard]] const Health& health() const noexcept { return health_; }
+  /// After another status than ok: what is wrong, naming spring or node.
+  [[nodiscard]] std::string describe(Status status) const;
+
+  [[nodiscard]] std::size_t groups() const noexcept { return equilibria_.size(); }
+  [[nodiscard]] Equilibrium& group(std::size_t g) { return *equilibria_.at(g); }
+  [[nodiscard]] const Equilibrium& group(std::size_t g) const { return *equilibria_.at(g); }
+  [[nodiscard]] Work work() const;
+
+ private:
+  const ElasticModel& model_;
+  std::vector<std::unique_ptr<Equilibrium>> equilibria_;
+  std::span<const double> stiffness_;
+  double squared_ = 0.0;
+  std::size_t failed_group_ = 0;
+  Health health_;
+};
+
+}  // namespace nodal::elastic

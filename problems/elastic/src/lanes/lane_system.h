@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+/// The lane factor of up to eight support groups with its workspaces: the state that the kernels work on.
+///
+/// Cost     memory: 32 bytes per lane and block of the factor (made at the first factorize), and a few vectors.
+/// Threads  one per thread.
+
+#include <cstdint>
+#include <span>
+
+#include "lane_instructions.h"
+#include "lane_structure.h"
+
+namespace nodal::elastic {
+
+class FullEvaluation;
+
+class LaneSystem {
+ public:
+  /// The structure must outlive it.
+  LaneSystem(const LaneStructure& structure, const LaneKernels& kernels);
+
+  LaneFactored factorize(std::span<const double> stiffness);
+  /// True when the factor's own displacements give the G of a full evaluation, to 1e-6 of it or 1e-9 of the reference.
+  /// (Always true where a support moves: lanes don't solve for that.)
+  [[nodiscard]] bool agrees_with(const FullEvaluation& solved, double reference_norm) const;
+  /// Displacements of a full evaluation, into [slots] vectors of pairs.
+  void take_displacements(const FullEvaluation& solved, double* u) const;
+
+  [[nodiscard]] const LaneStructure& structure() const noexcept { return structure_; }
+  [[nodiscard]] const LaneKernels& kernels() const noexcept { return kernels_; }
+  [[nodiscard]] const LaneView& view() const noexcept { return view_; }
+  [[nodiscard]] std::size_t table_stride() const noexcept {
+    return elastic::table_stride(view_.slots, static_cast<std::uint32_t>(structure_.lanes()));
+  }
+
+ private:
+  const LaneStructure& structure_;
+  const LaneKernels& kernels_;
+  AlignedArray blocks_, work_, z_, y_;
+  LaneView view_;
+};
+
+}  // namespace nodal::elastic

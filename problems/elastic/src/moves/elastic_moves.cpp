@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "moves/elastic_moves.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "moves/eager_form.h"
+#include "moves/full_form.h"
+#include "moves/lazy_form.h"
+#include "moves/refactor_form.h"
+#include "moves/updown_form.h"
+
+namespace nodal::elastic {
+
+namespace {
+
+constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
+constexpr double kTolerance = 1e-9;  // of G², what the walk's own value may be off by
+constexpr std::int64_t kFirstInterval = 1024, kLongestInterval = 65536, kShortestInterval = 64;
+constexpr double kStiffChange = 1e6;  // LIBRARIES' limit for updating a factor: 1 → 1e12 → 1 leaves 4e-6
+constexpr std::int64_t kReviewEvery = 64;
+constexpr std::size_t kMostChoices = 32;
+
+Form form_named(const std::string& name) {
+  for (std::size_t f = 0; f < kForms; ++f)
+    if (to_string(static_cast<Form>(f)) == name) return static_cast<Form>(f);
+  throw std::invalid_argument("no form of pricing is called '" + name + "'");
+}
+
+std::unique_ptr<PricingForm> make_form(Form form, const ElasticModel& model, const LaneModel& lanes) {
+  switch (form) {
+    case Form::eager:
+      return std::make_unique<EagerForm>(model, lanes);
+    case Form::lazy:
+      return std::make_unique<LazyForm>(model, lanes);
+    case Form::refactor:
+      return std::make_unique<RefactorForm>(model, lanes);
+    case Form::updown:
+      return std::make_unique<UpdownForm>(model, lanes);
+    case Form::full:
+      break;
+  }
+  return std::make_unique<FullForm>(model);
+}
+
+}  // namespace
+
+ElasticMoves::ElasticMoves(const ElasticModel& model)
+    : model_(model),
+      lanes_(model.lanes()),
+      costs_(model, lanes_),
+      fresh_(model),
+      x_(model.parameters.size()),
+      stiffness_(model.parameters.springs()),
+      interval_(kFirstInterval) {
+  if (const std::string& forced = model.scene.moves.form; forced != "auto")
+    use(form_named(forced), "asked for");
+  else
+    use(costs_.best(1.0), "cheapest while everything is accepted");
+}
+
+ElasticMoves::~ElasticMoves() = default;
+
+void ElasticMoves::use(Form form, std::string reason) {
+  if (form_) past_ += form_->work();
+  form_.reset();  // before the next one allocates
+  form_kind_ = form;
+  form_ = make_form(form, model_, lanes_);
+  regret_.fill(0.0);
+  if (report_.choices.size() < kMostChoices)
+    report_.choices.push_back({proposed_, std::string(to_string(form)), std::move(reason)});
+  else
+    ++report_.more_choices;
+}
+
+// The form takes over at the point that fresh_ has just solved for.
+void ElasticMoves::begin_form() {
+  if (form_->reset(stiffness_, fresh_)) return;
+  use(Form::full, fmt::format("{} can't vouch for this point: its arithmetic and a full evaluation disagree",
+                              to_string(form_kind_)));
+  (void)form_->reset(stiffness_, fresh_);
+}
+
+Status ElasticMoves::solve_fresh() {
+  acceptable_ = false;
+  const Status status = fresh_.solve(stiffness_);
+  if (status != Status::ok) return status;
+  squared_ = fresh_.squared();
+  since_check_ = 0;
+  rounding_ = 0.0;
+  return Status::ok;
+}
+
+Evaluation ElasticMoves::reset(std::span<const double> x) {
+  if (x.size() != x_.size()) throw std::invalid_argument("Moves::reset: wrong number of coordinates");
+  std::ranges::copy(x, x_.begin());
+  model_.parameters.stiffness(x, stiffness_);
+  if (const Status status = solve_fresh(); status != Status::ok) return {status, 0.0};
+  begin_form();
+  interval_ = kFirstInterval;
+  reviewed_proposed_ = proposed_;
+  reviewed_accepted_ = accepted_;
+  until_review_ = kReviewEvery;
+  return {Status::ok, model_.cost(squared_)};
+}
+
+Evaluation ElasticMoves::propose(std::size_t i, double value) {
+  acceptable_ = false;
+  const double stiffness = std::exp(value);
+  if (!usable_stiffness(stiffness)) [[unlikely]]
+    return {Status::invalid_input, 0.0};
+  ++proposed_;
+  if (--until_review_ <= 0) [[unlikely]]
+    review();
+  changed_ = i;
+  proposed_x_ = value;
+  change_.springs = model_.parameters.springs_of(i);
+  change_.stiffness = stiffness;
+  change_.delta = stiffness - stiffness_[change_.springs.front()];
+  const Priced priced = form_->price(change_);
+  if (priced.status != Status::ok) [[unlikely]]
+    return {priced.status, 0.0};
+  if (!std::isfinite(priced.squared)) [[unlikely]]
+    return {Status::ill_conditioned, 0.0};
+  proposed_squared_ = priced.squared;
+  acceptable_ = true;
+  return {Status::ok, model_.cost(priced.squared)};
+}
+
+Status ElasticMoves::accept() {
+  if (!acceptable_) throw std::logic_error("Moves::accept without a proposal that was ok");
+  acceptable_ = false;
+  ++accepted_;
+  const double before = stiffness_[change_.springs.front()];
+  for (const std::size_t e : change_.springs) stiffness_[e] = change_.stiffness;
+  if (change_.delta == 0.0) {
+    x_[changed_] = proposed_x_;
+    return Status::ok;
+  }
+  const double factor = change_.stiffness / before;
+  const bool stiff = factor > kStiffChange || factor * kStiffChange < 1.0;
+  if (stiff || !form_->accept(change_)) return accept_afresh(before);
+  x_[changed_] = proposed_x_;
+  rounding_ += 8.0 * kEpsilon * (squared_ + proposed_squared_);
+  squared_ = proposed_squared_;
+  if (++since_check_ >= interval_ || rounding_ > kTolerance * squared_) [[unlikely]]
+    check_drift();
+  return Status::ok;
+}
+
+// By a full evaluation, where the form's own update can't be trusted. The point before comes back when that fails.
+Status ElasticMoves::accept_afresh(double before) {
+  const Status status = solve_fresh();
+  if (status == Status::ok) {
+    x_[changed_] = proposed_x_;
+  } else {
+    for (const std::size_t e : change_.springs) stiffness_[e] = before;
+    if (solve_fresh() != Status::ok) return status;  // it was fine before: can't happen
+  }
+  begin_form();
+  return status;
+}
+
+void ElasticMoves::check_drift() {
+  const double ours = squared_;
+  const std::int64_t steps = std::max<std::int64_t>(since_check_, 1);
+  ++report_.checks;
+  if (solve_fresh() != Status::ok) {  // the point was priced, but can't be solved for: only full evaluations are safe
+    if (form_kind_ != Form::full) use(Form::full, "the walk's point can't be solved for in full");
+    return;
+  }
+  const double drift = std::abs(ours - squared_);
+  report_.drift = std::max(report_.drift.value_or(0.0), model_.cost(drift));
+  const double relative = squared_ > 0.0 ? drift / squared_ : 0.0;
+  if (relative > kTolerance)
+    begin_form();
+  else
+    form_->set_squared(squared_);
+  const double allowed = 0.1 * kTolerance * static_cast<double>(steps) / std::max(relative, kEpsilon);
+  const auto longest = std::min(kLongestInterval, 2 * interval_);
+  interval_ = std::clamp(static_cast<std::int64_t>(std::min(allowed, 1e9)), kShortestInterval, longest);
+}
+
+Evaluation ElasticMoves::resync() {
+  if (const Status status = solve_fresh(); status != Status::ok) return {status, 0.0};
+  begin_form();
+  return {Status::ok, model_.cost(squared_)};
+}
+
+// Adds up what the walk since the last review has cost by this form, and would have by each other.
+void ElasticMoves::review() {
+  until_review_ = kReviewEvery;
+  const auto proposals = static_cast<double>(proposed_ - reviewed_proposed_),
+             accepted = static_cast<double>(accepted_ - reviewed_accepted_);
+  reviewed_proposed_ = proposed_;
+  reviewed_accepted_ = accepted_;
+  if (model_.scene.moves.form != "auto") return;
+  const auto step_cost = [&](Form form) { return proposals * costs_.of(form).price + accepted * costs_.of(form).accept; };
+  for (std::size_t f = 0; f < kForms; ++f) {
+    const Form other = static_cast<Form>(f);
+    if (other == form_kind_ || !costs_.of(other).excluded.empty()) continue;
+    regret_[f] = std::max(0.0, regret_[f] + step_cost(form_kind_) - step_cost(other));
+    if (regret_[f] <= costs_.of(other).begin) continue;
+    const std::string reason =
+        fmt::format("{:.0f} % of the last {:.0f} proposals accepted: a step costs about {:.2g} times as much by {}",
+                    100.0 * accepted / proposals, proposals, step_cost(form_kind_) / step_cost(other),
+                    to_string(form_kind_));
+    if (solve_fresh() != Status::ok) return;
+    use(other, reason);
+    begin_form();
+    return;
+  }
+}
+
+Work ElasticMoves::work() const {
+  Work total = past_;
+  total += fresh_.work();
+  total += form_->work();
+  return total;
+}
+
+}  // namespace nodal::elastic

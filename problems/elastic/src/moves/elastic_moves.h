@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+/// The elastic problem's walk: owns the point, prices changes by the form that costs least, and watches its rounding.
+///
+/// Choice   a form is left for another once it has cost more, on the walk so far, than the other would have by as much
+///          as taking over costs (the rule of renting or buying: at most about twice the cost of knowing in advance).
+///          Costs come from CostModel, so equal runs choose equally. `scene.moves.form` forces one.
+/// Drift    the point's G² is compared with a fresh full evaluation after `interval` accepted changes, and sooner when a
+///          bound on its rounding, Σ 8ε(G² + G'²), exceeds 1e-9 of it. The interval is what the drift found allows for
+///          staying below a tenth of 1e-9, growing at most twofold. A drift above that makes the form start anew; so
+///          does a change by a factor of more than 1e6, after which an updated factor has lost digits.
+/// Cost     propose: the form's price, an exponential, two indirect calls. No allocation after a form's first calls.
+/// Threads  one per thread.
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "moves/cost_model.h"
+#include "moves/pricing_form.h"
+
+namespace nodal::elastic {
+
+class ElasticMoves final : public Moves {
+ public:
+  explicit ElasticMoves(const ElasticModel& model);
+  ~ElasticMoves() override;
+
+  Evaluation reset(std::span<const double> x) override;
+  Evaluation propose(std::size_t i, double value) override;
+  [[nodiscard]] Status accept() override;
+  [[nodiscard]] std::span<const double> current_point() const override { return x_; }
+  Evaluation resync() override;
+  [[nodiscard]] MovesReport report() const override { return report_; }
+
+  [[nodiscard]] Work work() const;
+
+ private:
+  Status solve_fresh();
+  void use(Form form, std::string reason);
+  void begin_form();
+  Status accept_afresh(double before);
+  void review();
+  void check_drift();
+
+  const ElasticModel& model_;
+  const LaneModel& lanes_;
+  const CostModel costs_;
+  FullEvaluation fresh_;
+  std::unique_ptr<PricingForm> form_;
+  Form form_kind_ = Form::full;
+  Work past_;  // of forms that were left
+
+  std::vector<double> x_, stiffness_;
+  double squared_ = 0.0;  // G² of the point
+  // The last proposal.
+  Change change_;
+  std::size_t changed_ = 0;
+  double proposed_x_ = 0.0, proposed_squared_ = 0.0;
+  bool acceptable_ = false;
+
+  // Renting or buying: how much more than each other form the present one has cost.
+  std::array<double, kForms> regret_{};
+  std::int64_t proposed_ = 0, accepted_ = 0;                // in all
+  std::int64_t reviewed_proposed_ = 0, reviewed_accepted_ = 0;  // … at the last review
+  std::int64_t until_review_ = 0;
+
+  std::int64_t since_check_ = 0, interval_;
+  double rounding_ = 0.0;  // bound on what G² has gathered since it was fresh
+  MovesReport report_;
+};
+
+}  // namespace nodal::elastic
