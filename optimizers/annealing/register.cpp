@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <nodal/registry.h>
 
+#include "adaptive.h"
 #include "annealing.h"
 
 namespace nodal {
@@ -49,6 +50,42 @@ Settings read_settings(const Options& options) {
   return settings;
 }
 
+OptionSchema adaptive_schema() {
+  const AdaptiveSettings d;
+  return {
+      {.name = "initial_acceptance", .type = OptionType::number, .default_value = d.initial_acceptance, .minimum = 0.0,
+       .maximum = 0.99, .minimum_excluded = true,
+       .help = "share of worse steps that is accepted at first: gives the temperature from the first steps' mean worsening"},
+      {.name = "acceptance", .type = OptionType::number, .default_value = d.acceptance, .minimum = 0.01, .maximum = 0.99,
+       .help = "share of all steps that is to be accepted: every coordinate's step size follows it"},
+      {.name = "gain", .type = OptionType::number, .default_value = d.gain, .minimum = 0.0, .maximum = 1.0,
+       .help = "how fast step sizes follow; 0 keeps them"},
+      {.name = "reduction", .type = OptionType::number, .default_value = d.reduction, .minimum = 0.0, .maximum = 1.0,
+       .minimum_excluded = true, .help = "each temperature is this times the one before"},
+      {.name = "sweeps", .type = OptionType::number, .default_value = d.sweeps, .minimum = 0.0, .minimum_excluded = true,
+       .help = "steps per coordinate at a temperature"},
+      {.name = "stall", .type = OptionType::number, .default_value = d.stall, .unit = "best quality", .minimum = 0.0,
+       .maximum = 1.0, .help = "an improvement over `patience` temperatures that is too little"},
+      {.name = "patience", .type = OptionType::integer, .default_value = d.patience, .minimum = 1,
+       .help = "temperatures without progress before a reheat"},
+      {.name = "reheats", .type = OptionType::integer, .default_value = d.reheats, .minimum = 0,
+       .help = "how often the temperature is raised again, from the best point; after the last it ends"},
+  };
+}
+
+AdaptiveSettings read_adaptive_settings(const Options& options) {
+  AdaptiveSettings settings;
+  settings.initial_acceptance = options.number("initial_acceptance");
+  settings.acceptance = options.number("acceptance");
+  settings.gain = options.number("gain");
+  settings.reduction = options.number("reduction");
+  settings.sweeps = options.number("sweeps");
+  settings.stall = options.number("stall");
+  settings.patience = options.integer("patience");
+  settings.reheats = options.integer("reheats");
+  return settings;
+}
+
 }  // namespace annealing
 
 void register_annealing(Registry& registry) {
@@ -62,6 +99,18 @@ void register_annealing(Registry& registry) {
       .local = false,
       .options = annealing::annealing_schema(),
       .make = [](const Options& options) { return std::make_unique<annealing::Annealing>(annealing::read_settings(options)); }});
+  registry.add(OptimizerDescription{
+      .name = "annealing-adaptive",
+      .summary = "simulated annealing that finds its own step sizes and temperatures, with reheats",
+      .reference = "G. Roberts, J. Rosenthal, Examples of Adaptive MCMC, 2009, for the step sizes",
+      .needs = {},
+      .deterministic = false,
+      .uses_start = true,
+      .local = false,
+      .options = annealing::adaptive_schema(),
+      .make = [](const Options& options) {
+        return std::make_unique<annealing::AdaptiveAnnealing>(annealing::read_adaptive_settings(options));
+      }});
 }
 
 }  // namespace nodal

@@ -37,6 +37,17 @@ TEST(PlateAnnealing, StopsEarlyWhenConvergedAtLittleLoss) {
   EXPECT_LT(*record.best->summary.quality, 1.4);
 }
 
+// At the paper's number of proposals the median over 15 seeds was 0.78 with quartiles 0.77 and 0.80, where the paper's
+// own schedule ends at 0.92.
+TEST(PlateAnnealing, DoesBetterWithStepsOfItsOwnSize) {
+  for (const int seed : {1, 2, 3}) {
+    const TrialRecord record =
+        run({.optimizer = "use = \"annealing-adaptive\"", .budget = "evaluations = 20880", .seed = seed});
+    ASSERT_TRUE(record.best.has_value());
+    EXPECT_LT(*record.best->summary.quality, 0.88) << "seed " << seed;
+  }
+}
+
 std::map<std::string, std::string> without_seconds(const Store& store) {
   std::map<std::string, std::string> lines;
   for (TrialRecord record : store.records()) {
