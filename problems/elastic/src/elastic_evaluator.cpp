@@ -34,8 +34,9 @@ ElasticEvaluator::~ElasticEvaluator() = default;
 
 Evaluation ElasticEvaluator::evaluate_stiffness(bool refined) {
   at_point_ = false;
+  failed_group_ = 0;
   if (!std::ranges::all_of(stiffness_, usable_stiffness)) return {Status::invalid_input, 0.0};
-  double squared = 0.0;
+  double squared = 0.0, error_squared = 0.0;
   Health health;
   for (std::size_t g = 0; g < equilibria_.size(); ++g) {
     Equilibrium& equilibrium = *equilibria_[g];
@@ -46,16 +47,20 @@ Evaluation ElasticEvaluator::evaluate_stiffness(bool refined) {
       const Refinement refinement = equilibrium.refine();
       health.error_estimate = std::max(health.error_estimate.value_or(0.0), refinement.error_estimate);
       health.residual = std::max(health.residual.value_or(0.0), refinement.residual);
+      error_squared += refinement.error_squared;
       if (refinement.status != Status::ok) return {refinement.status, 0.0};
     }
     for (std::size_t l = 0; l < equilibrium.group().loads().size(); ++l)
       squared += squared_error(equilibrium.group(), l, equilibrium.displacement(l).data());
   }
   if (!std::isfinite(squared)) return {Status::ill_conditioned, 0.0};
-  if (refined) health_ = health;
   at_point_ = true;
   refined_ = refined;
   cost_ = model_.cost(squared);
+  if (refined) {
+    health.cost_error = model_.cost_error(cost_, error_squared);
+    health_ = health;
+  }
   return {Status::ok, cost_};
 }
 
@@ -92,6 +97,7 @@ Evaluation ElasticEvaluator::solve_refined(std::span<const double> stiffness, st
 std::string ElasticEvaluator::describe(Status status, std::size_t group) const {
   switch (status) {
     case Status::invalid_input: {
+      if (!equilibria_[group]->group().flaw().empty()) return equilibria_[group]->group().flaw();
       const auto bad = std::ranges::find_if_not(stiffness_, usable_stiffness);
       const Spring& s = model_.scene.net.springs[static_cast<std::size_t>(bad - stiffness_.begin())];
       return fmt::format("spring ({}, {}) has stiffness {}, which can't be computed with", s.first, s.second, *bad);
@@ -100,7 +106,10 @@ std::string ElasticEvaluator::describe(Status status, std::size_t group) const {
       return fmt::format("the net is a mechanism or not supported: it gives way at node {} (support group {})",
                          equilibria_[group]->failed_node(), group);
     case Status::ill_conditioned:
-      return fmt::format("stiffnesses differ too much for double precision (support group {})", group);
+      return fmt::format(
+          "double precision can't vouch for the displacements: the stiffnesses differ too much among each other, or "
+          "from what the loads ask for (support group {})",
+          group);
     default:
       return {};
   }

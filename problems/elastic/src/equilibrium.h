@@ -9,7 +9,8 @@
 ///
 /// Order    vectors of a group are "placed": [0, free) are the free freedoms as the factor wants them, [free, 2·nodes)
 ///          the fixed ones, ascending, holding their prescribed values. `place` maps a freedom (2·node + axis) there.
-/// Units    stiffness N/m, forces N, displacements m.
+/// Units    stiffness N/m; displacements in a unit of the caller's, a power of two near the largest reference, so that
+///          their squares stay in range at any size of body and no digit changes; forces in N per that unit.
 /// Cost     one numeric factorization per `factorize`, one solve per load and refinement step; after the first call our
 ///          own code allocates nothing.
 /// Threads  EquilibriumGroup: immutable, shared. Equilibrium: one thread.
@@ -31,7 +32,8 @@ namespace nodal::elastic {
 /// What is the same at all stiffnesses: the order of unknowns, where each spring goes, forces, references, weights.
 class EquilibriumGroup {
  public:
-  EquilibriumGroup(const Scene& scene, std::size_t group);
+  /// `displacement_unit` [m] must be a power of two.
+  EquilibriumGroup(const Scene& scene, std::size_t group, double displacement_unit = 1.0);
 
   /// A load of this group, placed. `reference` and `forces` are [2·nodes]; weights of fixed freedoms are 0.
   struct Load {
@@ -50,6 +52,9 @@ class EquilibriumGroup {
   /// The freedom (2·node + axis) at a place.
   [[nodiscard]] std::size_t freedom_at(std::size_t place) const noexcept { return freedom_[place]; }
   [[nodiscard]] std::size_t springs() const noexcept { return ends_.size(); }
+  /// What can't be computed with whatever the stiffnesses are: a spring without length, a force that is no number.
+  /// Empty when all is well.
+  [[nodiscard]] const std::string& flaw() const noexcept { return flaw_; }
 
   /// b_e·u of placed displacements.
   [[nodiscard]] double elongation(std::size_t spring, const double* u) const noexcept {
@@ -102,7 +107,10 @@ class EquilibriumGroup {
 
   void place_freedoms(const Scene& scene);
   void gather_terms(const Scene& scene);
+  void place_loads(const Scene& scene, std::size_t group);
 
+  double displacement_unit_;
+  std::string flaw_;
   std::vector<Support> supports_;
   std::vector<bool> fixed_;
   std::size_t free_ = 0;
@@ -122,20 +130,22 @@ struct Refinement {
   Status status = Status::ok;
   double error_estimate = 0.0;  ///< ‖δu₁‖/‖u‖ of the first correction
   double residual = 0.0;  ///< backward error ‖r‖/(‖f‖ + ‖|K||u|‖) before the last step: what rounding leaves is 1e-16
+  double error_squared = 0.0;  ///< Σ_loads ‖u − u_exact‖²_W, estimated from the last correction and rounding
 };
 
 class Equilibrium {
  public:
   explicit Equilibrium(const EquilibriumGroup& group);
 
-  /// Assembles and factorizes. `stiffness` must stay as it is while this object is used.
+  /// Assembles and factorizes; invalid_input when the group has a flaw. `stiffness` must stay as it is while this object is used.
   [[nodiscard]] Status factorize(std::span<const double> stiffness);
-  /// The node at which a factorization failed.
-  [[nodiscard]] std::size_t failed_node() const { return group_.freedom_at(factor_.failed_position()) / 2; }
+  /// After not_positive_definite: the node that gives way.
+  [[nodiscard]] std::size_t failed_node() const { return group_.freedom_at(failed_position_) / 2; }
   /// Displacements of all loads by one solve, corrected once where the pivots say that digits were lost, and refined to
   /// the end where that correction is large: `ill_conditioned` when even that doesn't settle.
   [[nodiscard]] Status solve_loads();
-  /// Refines all loads until the corrections stop shrinking.
+  /// Refines all loads until the corrections stop shrinking. ill_conditioned when they do so before rounding is
+  /// reached, or when not even the first digit was right; not_positive_definite when a pivot was nothing but rounding.
   [[nodiscard]] Refinement refine();
 
   /// Placed displacements of a load of the group: [2·nodes].
@@ -155,6 +165,8 @@ class Equilibrium {
   }
 
  private:
+  Status refusal();      // of a solve that refinement can't settle
+  double error_squared(std::span<const double> correction);
   double correct();  // one refinement step of all loads; returns the largest ‖δu‖/‖u‖
 
   const EquilibriumGroup& group_;
@@ -162,8 +174,10 @@ class Equilibrium {
   std::span<const double> stiffness_;
   std::vector<double> displacements_;                   // [loads][2·nodes]
   std::vector<double> residual_, magnitude_, scratch_;  // [2·nodes]
+  std::span<const double> correction_;  // of the last refinement step, until the next solve
   double last_residual_ = 0.0;
   double first_correction_ = 0.0;  // by solve_loads; 0 when it saw no need
+  std::size_t failed_position_ = 0;
   Work work_;
 };
 
