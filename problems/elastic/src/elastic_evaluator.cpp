@@ -48,6 +48,7 @@ Evaluation ElasticEvaluator::evaluate_stiffness(bool refined) {
       health.error_estimate = std::max(health.error_estimate.value_or(0.0), refinement.error_estimate);
       health.residual = std::max(health.residual.value_or(0.0), refinement.residual);
       error_squared += refinement.error_squared;
+      if (refinement.status != Status::ok) health_ = health;
       if (refinement.status != Status::ok) return {refinement.status, 0.0};
     }
     for (std::size_t l = 0; l < equilibrium.group().loads().size(); ++l)

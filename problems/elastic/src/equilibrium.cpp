@@ -24,8 +24,9 @@ constexpr double kSmallestSafeSquare = std::numeric_limits<double>::min() / kRou
 // A first correction this large left no digit to build on: refinement may settle, but on what, nobody can vouch for.
 constexpr double kNoDigits = 0.1;
 
-// A pivot that kept this little of its diagonal is the rounding of a zero: nothing holds the node.
-constexpr double kRoundedZero = 2.0 * kRounding;
+// Along the weakest direction, held by λ while the factor has λ' for rounding, a solve gives f/λ' and its correction is
+// 1 − λ/λ' times that: within this of 1, what holds the node is nothing beside the rounding.
+constexpr double kHeldByRounding = 0.05;
 
 // One correction leaves about the square of its own relative size: above this, one is not enough to trust.
 constexpr double kSuspiciousCorrection = 1e-4;
@@ -190,7 +191,8 @@ Equilibrium::Equilibrium(const EquilibriumGroup& group)
       displacements_(group.loads().size() * group.freedoms(), 0.0),
       residual_(group.freedoms(), 0.0),
       magnitude_(group.freedoms(), 0.0),
-      scratch_(group.freedoms(), 0.0) {}
+      scratch_(group.freedoms(), 0.0),
+      long_residual_(group.freedoms(), 0.0L) {}
 
 Status Equilibrium::factorize(std::span<const double> stiffness) {
   if (!group_.flaw().empty()) return Status::invalid_input;
@@ -231,26 +233,28 @@ Status Equilibrium::solve_loads() {
   }
   // Cancellation in the worst pivot, growing with the number of unknowns, bounds what a plain solve has lost.
   const bool lossy = kRounding * static_cast<double>(free) > kRaceAccuracy * factor_.smallest_pivot_ratio();
-  first_correction_ = lossy ? correct() : 0.0;
+  first_correction_ = lossy ? correct(residual_) : 0.0;
   return first_correction_ > kSuspiciousCorrection ? refine().status : Status::ok;
 }
 
-double Equilibrium::correct() {
+template <class Real>
+double Equilibrium::correct(std::vector<Real>& residual) {
   const std::size_t free = group_.free(), count = group_.loads().size();
   const std::span<double> rhs = factor_.right_hand_side(count);
   last_residual_ = 0.0;
   for (std::size_t l = 0; l < count; ++l) {
     const std::vector<double>& forces = group_.loads()[l].forces;
     const double* u = displacement(l).data();
-    std::ranges::copy(forces, residual_.begin());
+    std::ranges::copy(forces, residual.begin());
     std::ranges::fill(magnitude_, 0.0);
     for (std::size_t e = 0; e < group_.springs(); ++e) {
-      group_.add_spring(e, -stiffness_[e] * group_.elongation(e, u), residual_.data());
+      group_.add_spring(e, -stiffness_[e] * group_.elongation<Real>(e, u), residual.data());
       group_.add_spring_magnitude(e, stiffness_[e] * group_.elongation_magnitude(e, u), magnitude_.data());
     }
-    std::copy_n(residual_.data(), free, rhs.data() + l * free);
+    const std::span<double> rounded = rhs.subspan(l * free, free);
+    for (std::size_t i = 0; i < free; ++i) rounded[i] = static_cast<double>(residual[i]);
     const double scale = norm(std::span(forces).first(free)) + norm(std::span(magnitude_).first(free));
-    if (scale > 0.0) last_residual_ = std::max(last_residual_, norm(std::span(residual_).first(free)) / scale);
+    if (scale > 0.0) last_residual_ = std::max(last_residual_, norm(rounded) / scale);
   }
   const std::span<const double> correction = correction_ = solve(count);
   double largest = 0.0;
@@ -266,9 +270,10 @@ double Equilibrium::correct() {
   return largest;
 }
 
-Status Equilibrium::refusal() {
+Status Equilibrium::refusal(double first_correction) {
   const Cholesky::WeakestPivot weakest = factor_.weakest_pivot();
-  if (weakest.ratio > kRoundedZero) return Status::ill_conditioned;
+  const bool lost = weakest.ratio <= kRounding * static_cast<double>(group_.free());
+  if (!lost || std::abs(first_correction - 1.0) > kHeldByRounding) return Status::ill_conditioned;
   failed_position_ = weakest.position;
   return Status::not_positive_definite;
 }
@@ -292,17 +297,22 @@ double Equilibrium::error_squared(std::span<const double> correction) {
 }
 
 Refinement Equilibrium::refine() {
-  constexpr int kSteps = 8;
+  constexpr int kSteps = 60;  // each at least halves the correction: enough from the first digit to the last
   constexpr double kAtRounding = 8.0 * kRounding;  // a correction this small is noise: nothing is left to gain
   Refinement result;
+  if (first_correction_ > kNoDigits) {
+    result.error_estimate = first_correction_;
+    result.status = refusal(first_correction_);
+    return result;
+  }
   double previous = 0.0;
   for (int step = 0; step < kSteps; ++step) {
-    const double size = correct();
+    const double size = correct(long_residual_);
     if (step == 0) result.error_estimate = std::max(size, first_correction_);
     result.residual = last_residual_;
     const bool stalled = step > 0 && size > 0.5 * previous;
     if (!(result.error_estimate <= kNoDigits) || !std::isfinite(size) || (stalled && size > 1e3 * kRounding)) {
-      result.status = refusal();
+      result.status = refusal(result.error_estimate);
       return result;
     }
     if (size <= kAtRounding || stalled) break;

@@ -5,7 +5,8 @@
 ///
 /// Solves K(k) u = f, K = Σ k_e b_e b_eᵀ, on the freedoms that no support fixes. With prescribed values u_c the
 /// right-hand side is f − K_fc u_c. Refinement sums the residual spring by spring, r = f − Σ k_e b_e (b_e·u), never
-/// with the assembled K: only so does it recover the digits that assembling stiff and soft springs has lost.
+/// with the assembled K: only so does it recover the digits that assembling stiff and soft springs has lost. A full
+/// refinement sums in long double: on slender bodies, what a node's forces lose to rounding bends the whole strip.
 ///
 /// Order    vectors of a group are "placed": [0, free) are the free freedoms as the factor wants them, [free, 2·nodes)
 ///          the fixed ones, ascending, holding their prescribed values. `place` maps a freedom (2·node + axis) there.
@@ -56,10 +57,11 @@ class EquilibriumGroup {
   /// Empty when all is well.
   [[nodiscard]] const std::string& flaw() const noexcept { return flaw_; }
 
-  /// b_e·u of placed displacements.
-  [[nodiscard]] double elongation(std::size_t spring, const double* u) const noexcept {
+  /// b_e·u of placed displacements, computed in `Real`.
+  template <class Real = double>
+  [[nodiscard]] Real elongation(std::size_t spring, const double* u) const noexcept {
     const Ends& s = ends_[spring];
-    return s.dx * (u[s.x2] - u[s.x1]) + s.dy * (u[s.y2] - u[s.y1]);
+    return s.dx * (Real{u[s.x2]} - u[s.x1]) + s.dy * (Real{u[s.y2]} - u[s.y1]);
   }
   /// |b_e|·|u|: what b_e·u could be without cancellation.
   [[nodiscard]] double elongation_magnitude(std::size_t spring, const double* u) const noexcept {
@@ -76,7 +78,8 @@ class EquilibriumGroup {
     v[s.y2] += factor * std::abs(s.dy);
   }
   /// v += factor · b_e.
-  void add_spring(std::size_t spring, double factor, double* v) const noexcept {
+  template <class Real>
+  void add_spring(std::size_t spring, Real factor, Real* v) const noexcept {
     const Ends& s = ends_[spring];
     v[s.x1] -= factor * s.dx;
     v[s.y1] -= factor * s.dy;
@@ -165,15 +168,18 @@ class Equilibrium {
   }
 
  private:
-  Status refusal();      // of a solve that refinement can't settle
+  Status refusal(double first_correction);  // of a solve that refinement can't settle
   double error_squared(std::span<const double> correction);
-  double correct();  // one refinement step of all loads; returns the largest ‖δu‖/‖u‖
+  // One refinement step of all loads with the residual summed in `residual`; returns the largest ‖δu‖/‖u‖.
+  template <class Real>
+  double correct(std::vector<Real>& residual);
 
   const EquilibriumGroup& group_;
   Cholesky factor_;
   std::span<const double> stiffness_;
   std::vector<double> displacements_;                   // [loads][2·nodes]
   std::vector<double> residual_, magnitude_, scratch_;  // [2·nodes]
+  std::vector<long double> long_residual_;               // [2·nodes]
   std::span<const double> correction_;  // of the last refinement step, until the next solve
   double last_residual_ = 0.0;
   double first_correction_ = 0.0;  // by solve_loads; 0 when it saw no need
