@@ -23,13 +23,25 @@ using elastic::Scene;
 
 OptionSchema change_schema() {
   return {
-      {.name = "springs", .type = OptionType::text, .default_value = "all",
-       .choices = {"all", "horizontal", "vertical", "diagonal"}, .help = "of this direction"},
-      {.name = "within", .type = OptionType::number_list, .unit = "m", .length = 4,
+      {.name = "springs",
+       .type = OptionType::text,
+       .default_value = "all",
+       .choices = {"all", "horizontal", "vertical", "diagonal"},
+       .help = "of this direction"},
+      {.name = "within",
+       .type = OptionType::number_list,
+       .unit = "m",
+       .length = 4,
        .help = "with both ends in the rectangle x0, y0, x1, y1"},
       {.name = "node", .type = OptionType::integer, .minimum = 0, .help = "with an end at this node"},
-      {.name = "between", .type = OptionType::integer_list, .minimum = 0, .length = 2, .help = "the one of these nodes"},
-      {.name = "decades", .type = OptionType::number, .minimum = 0.0,
+      {.name = "between",
+       .type = OptionType::integer_list,
+       .minimum = 0,
+       .length = 2,
+       .help = "the one of these nodes"},
+      {.name = "decades",
+       .type = OptionType::number,
+       .minimum = 0.0,
        .help = "instead of 'stiffness': each its own, 10 to a power drawn from ± this"},
       {.name = "seed", .type = OptionType::integer, .default_value = 1, .help = "of that draw"},
   };
@@ -38,18 +50,32 @@ OptionSchema change_schema() {
 OptionSchema case_schema() {
   return {
       {.name = "name", .type = OptionType::text, .required = true, .help = "its row in the table"},
-      {.name = "expect", .type = OptionType::text, .required = true,
+      {.name = "expect",
+       .type = OptionType::text,
+       .required = true,
        .choices = {"ok", "ill_conditioned", "not_positive_definite", "invalid_input", "refused"},
        .help = "what must become of it"},
       {.name = "names", .type = OptionType::text, .help = "what the message must contain"},
-      {.name = "error", .type = OptionType::number, .default_value = 1e-12, .minimum = 0.0,
+      {.name = "error",
+       .type = OptionType::number,
+       .default_value = 1e-12,
+       .minimum = 0.0,
        .help = "largest relative error of displacements that ok may have"},
       {.name = "no_alarm", .type = OptionType::number, .minimum = 0.0, .help = "largest error estimate"},
       {.name = "study", .type = OptionType::text, .help = "its first problem at its start, relative to this file"},
       {.name = "load", .type = OptionType::text, .help = "only this load of the problem"},
-      {.name = "supported", .type = OptionType::boolean, .default_value = true, .help = "false takes all supports away"},
-      {.name = "stretch", .type = OptionType::number_list, .length = 2, .help = "coordinates times this, loads as before"},
-      {.name = "stiffness", .type = OptionType::number, .unit = "N/m", .help = "of every spring, instead of the start's"},
+      {.name = "supported",
+       .type = OptionType::boolean,
+       .default_value = true,
+       .help = "false takes all supports away"},
+      {.name = "stretch",
+       .type = OptionType::number_list,
+       .length = 2,
+       .help = "coordinates times this, loads as before"},
+      {.name = "stiffness",
+       .type = OptionType::number,
+       .unit = "N/m",
+       .help = "of every spring, instead of the start's"},
   };
 }
 
@@ -160,8 +186,7 @@ Scene scene_of(const Reading& reading, const Registry& registry) {
   if (!o.boolean("supported"))
     for (elastic::SupportGroup& group : scene.loads.groups) group.supports.clear();
   if (o.has("stretch")) {
-    for (elastic::Point& p : scene.net.nodes)
-      p = {p[0] * o.numbers("stretch")[0], p[1] * o.numbers("stretch")[1]};
+    for (elastic::Point& p : scene.net.nodes) p = {p[0] * o.numbers("stretch")[0], p[1] * o.numbers("stretch")[1]};
     for (elastic::Spring& spring : scene.net.springs) aim(spring, scene.net);
   }
   return scene;

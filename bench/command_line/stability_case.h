@@ -17,10 +17,10 @@ namespace nodal {
 
 struct StabilityCase {
   std::string name;
-  std::string expect;                ///< a status' name, or "refused": bad input, exit code 2 in every other command
-  std::string names;                 ///< what the message must contain: the node or spring at fault
-  double error = 0.0;                ///< largest relative error of displacements that `ok` may have
-  std::optional<double> no_alarm;    ///< largest error estimate, for cases that only look dangerous
+  std::string expect;              ///< a status' name, or "refused": bad input, exit code 2 in every other command
+  std::string names;               ///< what the message must contain: the node or spring at fault
+  double error = 0.0;              ///< largest relative error of displacements that `ok` may have
+  std::optional<double> no_alarm;  ///< largest error estimate, for cases that only look dangerous
   /// Builds it. InputError where a study of this kind would be refused.
   std::function<std::unique_ptr<const elastic::ElasticProblem>(std::vector<double>& stiffness)> make;
 };

@@ -42,14 +42,19 @@ Evaluation ElasticEvaluator::evaluate_stiffness(bool refined) {
     Equilibrium& equilibrium = *equilibria_[g];
     failed_group_ = g;
     if (const Status status = equilibrium.factorize(stiffness_); status != Status::ok) return {status, 0.0};
-    if (const Status status = equilibrium.solve_loads(); status != Status::ok) return {status, 0.0};
+    if (const Status status = equilibrium.solve_loads(); status != Status::ok) {
+      if (refined) note_refusal(equilibrium.first_correction());
+      return {status, 0.0};
+    }
     if (refined) {
       const Refinement refinement = equilibrium.refine();
       health.error_estimate = std::max(health.error_estimate.value_or(0.0), refinement.error_estimate);
       health.residual = std::max(health.residual.value_or(0.0), refinement.residual);
       error_squared += refinement.error_squared;
-      if (refinement.status != Status::ok) health_ = health;
-      if (refinement.status != Status::ok) return {refinement.status, 0.0};
+      if (refinement.status != Status::ok) {
+        note_refusal(refinement.error_estimate);
+        return {refinement.status, 0.0};
+      }
     }
     for (std::size_t l = 0; l < equilibrium.group().loads().size(); ++l)
       squared += squared_error(equilibrium.group(), l, equilibrium.displacement(l).data());
@@ -63,6 +68,12 @@ Evaluation ElasticEvaluator::evaluate_stiffness(bool refined) {
     health_ = health;
   }
   return {Status::ok, cost_};
+}
+
+// How much was lost, where that is a number: a record holds no others.
+void ElasticEvaluator::note_refusal(double error_estimate) {
+  health_ = {};
+  if (std::isfinite(error_estimate)) health_.error_estimate = error_estimate;
 }
 
 Evaluation ElasticEvaluator::evaluate(std::span<const double> x, bool refined) {
@@ -108,9 +119,9 @@ std::string ElasticEvaluator::describe(Status status, std::size_t group) const {
                          equilibria_[group]->failed_node(), group);
     case Status::ill_conditioned:
       return fmt::format(
-          "double precision can't vouch for the displacements: the stiffnesses differ too much among each other, or "
-          "from what the loads ask for (support group {})",
-          group);
+          "stiffnesses differ too much for double precision, among each other or from what the loads ask for; node {} "
+          "suffers most (support group {})",
+          equilibria_[group]->weakest_node(), group);
     default:
       return {};
   }

@@ -48,6 +48,7 @@ class ElasticEvaluator final : public Evaluator {
  private:
   Evaluation evaluate(std::span<const double> x, bool refined);
   Evaluation evaluate_stiffness(bool refined);
+  void note_refusal(double error_estimate);
   std::string describe(Status status, std::size_t group) const;
   void require_point() const;
   void write_residuals(std::span<double> residuals);

@@ -140,13 +140,18 @@ class Equilibrium {
  public:
   explicit Equilibrium(const EquilibriumGroup& group);
 
-  /// Assembles and factorizes; invalid_input when the group has a flaw. `stiffness` must stay as it is while this object is used.
+  /// Assembles and factorizes; invalid_input when the group has a flaw. `stiffness` must stay as it is while this
+  /// object is used.
   [[nodiscard]] Status factorize(std::span<const double> stiffness);
   /// After not_positive_definite: the node that gives way.
   [[nodiscard]] std::size_t failed_node() const { return group_.freedom_at(failed_position_) / 2; }
+  /// The node whose freedom lost most digits in the last factorization that was ok.
+  [[nodiscard]] std::size_t weakest_node() const { return group_.freedom_at(factor_.weakest_pivot().position) / 2; }
   /// Displacements of all loads by one solve, corrected once where the pivots say that digits were lost, and refined to
   /// the end where that correction is large: `ill_conditioned` when even that doesn't settle.
   [[nodiscard]] Status solve_loads();
+  /// ‖δu‖/‖u‖ of the correction that the last solve_loads found necessary; 0 when none was.
+  [[nodiscard]] double first_correction() const noexcept { return first_correction_; }
   /// Refines all loads until the corrections stop shrinking. ill_conditioned when they do so before rounding is
   /// reached, or when not even the first digit was right; not_positive_definite when a pivot was nothing but rounding.
   [[nodiscard]] Refinement refine();
@@ -179,8 +184,8 @@ class Equilibrium {
   std::span<const double> stiffness_;
   std::vector<double> displacements_;                   // [loads][2·nodes]
   std::vector<double> residual_, magnitude_, scratch_;  // [2·nodes]
-  std::vector<long double> long_residual_;               // [2·nodes]
-  std::span<const double> correction_;  // of the last refinement step, until the next solve
+  std::vector<long double> long_residual_;              // [2·nodes]
+  std::span<const double> correction_;                  // of the last refinement step, until the next solve
   double last_residual_ = 0.0;
   double first_correction_ = 0.0;  // by solve_loads; 0 when it saw no need
   std::size_t failed_position_ = 0;

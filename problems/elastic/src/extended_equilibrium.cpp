@@ -26,9 +26,8 @@ std::vector<std::size_t> order_of(const Net& net) {
   const std::size_t along = high[0] - low[0] >= high[1] - low[1] ? 0 : 1;
   std::vector<std::size_t> order(net.nodes.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::ranges::stable_sort(order, {}, [&](std::size_t node) {
-    return std::pair(net.nodes[node][along], net.nodes[node][1 - along]);
-  });
+  std::ranges::stable_sort(
+      order, {}, [&](std::size_t node) { return std::pair(net.nodes[node][along], net.nodes[node][1 - along]); });
   return order;
 }
 
@@ -153,8 +152,10 @@ double weight_of(const Scene& scene, std::size_t node) {
 bool all_finite(const Scene& scene, std::span<const double> stiffness) {
   const auto finite = [](double x) { return std::isfinite(x); };
   return std::ranges::all_of(stiffness, finite) &&
-         std::ranges::all_of(scene.net.springs, [&](const Spring& s) { return std::ranges::all_of(s.direction, finite); }) &&
-         std::ranges::all_of(scene.loads.loads, [&](const LoadCase& l) { return std::ranges::all_of(l.forces, finite); });
+         std::ranges::all_of(scene.net.springs,
+                             [&](const Spring& s) { return std::ranges::all_of(s.direction, finite); }) &&
+         std::ranges::all_of(scene.loads.loads,
+                             [&](const LoadCase& l) { return std::ranges::all_of(l.forces, finite); });
 }
 
 }  // namespace
