@@ -31,7 +31,7 @@ void describe(CLI::App& app) {
   app.description("Compares optimizers on fitting spring/mass systems to elastic bodies.");
   app.footer(
       "Start with: nodal compare bench/scenes/plate.toml\n"
-      "Exit codes: 0 done, 1 a trial failed, 2 bad input or usage, 130 interrupted.");
+      "Exit codes: 0 done, 1 a trial failed or a check differed, 2 bad input or usage, 130 interrupted.");
   app.require_subcommand(1);
   app.set_help_all_flag("--help-all", "Help of all commands");
   app.add_flag_callback(
@@ -128,6 +128,14 @@ void add_explain(CLI::App& app, const Registry& registry, int& exit) {
   add_budget(command, to->overrides);
 }
 
+void add_check(CLI::App& app, const Registry& registry, int& exit) {
+  const auto to = std::make_shared<CheckArguments>();
+  CLI::App& command = add_command(app, "check", "The stability battery: systems that are hard or impossible to solve",
+                                  check_command, registry, exit, to);
+  command.add_option("battery", to->battery, "A file of cases of your own")->type_name("FILE");
+  command.add_flag("--json", to->json, "Every row as JSON");
+}
+
 void add_list(CLI::App& app, const Registry& registry, int& exit) {
   const auto to = std::make_shared<ListArguments>();
   CLI::App& command = add_command(app, "list", "What this build has, with needs and options, and what it lacks",
@@ -147,6 +155,7 @@ int command_line(const Registry& registry, int argc, const char* const* argv) {
   add_fit(app, registry, exit);
   add_report(app, registry, exit);
   add_explain(app, registry, exit);
+  add_check(app, registry, exit);
   add_list(app, registry, exit);
   try {
     app.parse(argc, argv);

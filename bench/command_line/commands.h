@@ -39,6 +39,11 @@ struct ExplainArguments {
   StudyOverrides overrides;
 };
 
+struct CheckArguments {
+  std::string battery;  ///< a file of cases; the one that comes with the program when empty
+  bool json = false;
+};
+
 struct ListArguments {
   std::string what;  ///< optimizers, problems, topologies, scenes, or all when empty
 };
@@ -48,9 +53,11 @@ int evaluate_command(const EvaluateArguments& arguments, const Registry& registr
 int fit_command(const FitArguments& arguments, const Registry& registry);
 int report_command(const ReportArguments& arguments, const Registry& registry);
 int explain_command(const ExplainArguments& arguments, const Registry& registry);
+int check_command(const CheckArguments& arguments, const Registry& registry);
 int list_command(const ListArguments& arguments, const Registry& registry);
 
 inline constexpr int kExitTrialFailed = 1;
+inline constexpr int kExitCheckDiffers = 1;
 inline constexpr int kExitBadInput = 2;
 inline constexpr int kExitInterrupted = 130;
 

@@ -28,6 +28,7 @@ Value bearing_json(const elastic::LoadState& load) {
 Value health_json(const Health& health) {
   Value table;
   if (health.error_estimate) table.set("error_estimate", *health.error_estimate);
+  if (health.cost_error) table.set("cost_error", *health.cost_error);
   if (health.residual) table.set("residual", *health.residual);
   if (health.spread) table.set("spread", *health.spread);
   return table;
@@ -77,8 +78,8 @@ std::string state_text(const std::string& label, const elastic::ElasticProblem& 
   text += fmt::format("relative error {:.6g}, G {:.10g}, k_max/k_min {:.4g}\n", state.relative_error, state.quality,
                       state.health.spread.value_or(1.0));
   if (state.health.error_estimate && state.health.residual)
-    text += fmt::format("accuracy: first refinement step {:.1e}, backward error {:.1e}\n", *state.health.error_estimate,
-                        *state.health.residual);
+    text += fmt::format("accuracy: first refinement step {:.1e}, cost exact to {:.1e}, backward error {:.1e}\n",
+                        *state.health.error_estimate, state.health.cost_error.value_or(0.0), *state.health.residual);
   text += fmt::format("\n{:<12} {:>14} {:>24} {:>26}\n", "load", "G", "largest displacement [m]",
                       "largest bearing force [N]");
   for (const elastic::LoadState& load : state.loads)

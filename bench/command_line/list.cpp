@@ -9,6 +9,7 @@
 #include <nodal/elastic/net.h>
 
 #include "commands.h"
+#include "scenes.h"
 
 namespace nodal {
 
@@ -79,15 +80,6 @@ std::string first_comment(const fs::path& path) {
   std::string line;
   std::getline(in, line);
   return line.starts_with("# ") ? line.substr(2) : "";
-}
-
-// Beside an installed program, else where the sources are.
-fs::path scenes_directory() {
-  std::error_code error;
-  const fs::path program = fs::read_symlink("/proc/self/exe", error);
-  const fs::path installed = program.parent_path().parent_path() / "share" / "nodal" / "scenes";
-  if (!error && fs::is_directory(installed)) return installed;
-  return NODAL_SCENES;
 }
 
 void list_scenes() {

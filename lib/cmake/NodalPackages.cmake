@@ -12,6 +12,8 @@ nodal_require(fmt "install libfmt-dev" CONFIG)
 nodal_require(tomlplusplus "install libtomlplusplus-dev" CONFIG)
 nodal_require(CHOLMOD "install libsuitesparse-dev")
 nodal_require(Eigen3 "install libeigen3-dev" NO_MODULE)
+# Multiprecision, for the reference that results are checked against; headers only.
+nodal_require(Boost "install libboost-dev" 1.74)
 find_package(nlohmann_json CONFIG QUIET)
 if(NOT nlohmann_json_FOUND)
   message(FATAL_ERROR "nodal needs nlohmann_json: install nlohmann-json3-dev")

@@ -236,6 +236,7 @@ template <class Archive, class T>
 requires std::same_as<std::remove_const_t<T>, Health>
 void describe(Archive& archive, T& health) {
   archive.field("error_estimate", health.error_estimate);
+  archive.field("cost_error", health.cost_error);
   archive.field("residual", health.residual);
   archive.field("drift", health.drift);
   archive.field("spread", health.spread);

@@ -11,7 +11,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "toml.h"
+#include <nodal/toml.h>
 
 namespace nodal {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "toml.h"
+#include <nodal/toml.h>
 
 #include <algorithm>
 

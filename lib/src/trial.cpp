@@ -173,6 +173,7 @@ class Run {
     if (!audited.ok()) {
       record_.reason += std::string(record_.reason.empty() ? "" : "; ") + "a fresh evaluation of the best point is " +
                         std::string(to_string(audited.status));
+      record_.end = End::failed;  // what the race saw is kept, but nothing vouches for it
       audited = {Status::ok, meter.best_cost()};
     }
     record_.best = BestPoint{meter.best_evaluation(), summarize(problem_, audited), {x.begin(), x.end()}};

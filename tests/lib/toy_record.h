@@ -30,7 +30,7 @@ inline TrialRecord full_record() {
   r.seconds = {0.5, 0.3, 0.15, 0.05, 0.4, 0.45};
   r.trace = {{0, 1e-6, 1, 3.5}, {41, 0.4, 40, 0.2}};
   r.claimed = ClaimRecord{0.1, true, 44, "XTOL_REACHED"};
-  r.health = {1e-12, 2e-16, 3e-10, 1e4, 2};
+  r.health = {1e-12, 5e-17, 2e-16, 3e-10, 1e4, 2};
   return r;
 }
 
@@ -75,6 +75,7 @@ inline void expect_equal(const std::vector<TracePoint>& a, const std::vector<Tra
 
 inline void expect_equal(const Health& a, const Health& b) {
   EXPECT_EQ(a.error_estimate, b.error_estimate);
+  EXPECT_EQ(a.cost_error, b.cost_error);
   EXPECT_EQ(a.residual, b.residual);
   EXPECT_EQ(a.drift, b.drift);
   EXPECT_EQ(a.spread, b.spread);

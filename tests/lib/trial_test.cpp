@@ -38,6 +38,28 @@ class Throwing final : public Optimizer {
   }
 };
 
+// Its races see costs; refined, every point but the start is refused.
+class UnauditedEvaluator final : public Evaluator {
+ public:
+  Evaluation value(std::span<const double> x) override { return {Status::ok, toy::bowl(x)}; }
+  Evaluation audit(std::span<const double> x) override {
+    if (x[0] == -1.5) return value(x);
+    return {Status::ill_conditioned, 0.0};
+  }
+};
+
+class UnauditedProblem final : public Problem {
+ public:
+  [[nodiscard]] const Space& space() const override { return toy_.space(); }
+  [[nodiscard]] Abilities abilities() const override { return {}; }
+  [[nodiscard]] std::unique_ptr<Evaluator> make_evaluator() const override {
+    return std::make_unique<UnauditedEvaluator>();
+  }
+
+ private:
+  toy::ToyProblem toy_;
+};
+
 Registry toy_registry() {
   Registry registry;
   registry.add(OptimizerDescription{.name = "halving", .deterministic = true, .make = [](const Options&) { return std::make_unique<Halving>(); }});
@@ -149,6 +171,16 @@ TEST(Trial, OfAProblemThatThrowsAtItsStartIsARowWithTheReason) {
   EXPECT_EQ(record.end, End::failed);
   EXPECT_EQ(record.reason, "no plate");
   EXPECT_FALSE(record.best.has_value());
+}
+
+// A race that was won by a value which a refined evaluation refuses has not been won.
+TEST(Trial, FailsWhenNothingVouchesForItsBest) {
+  Study study = toy_study();
+  study.problems[0].problem = std::make_shared<UnauditedProblem>();
+  const TrialRecord record = run_trial(study, {0, 0, 0}, toy_registry());
+  EXPECT_EQ(record.end, End::failed);
+  EXPECT_EQ(record.reason, "40 halvings; a fresh evaluation of the best point is ill_conditioned");
+  EXPECT_FALSE(record.health.cost_error.has_value());
 }
 
 TEST(Trial, IsAPureFunctionButForSeconds) {

@@ -41,6 +41,7 @@ struct Work {
 /// How far the numbers of a trial can be trusted. An entry that was not measured is empty.
 struct Health {
   std::optional<double> error_estimate;  ///< relative size of the first refinement step of the final solve
+  std::optional<double> cost_error;      ///< the refined cost is within this of the exact one at the same doubles
   std::optional<double> residual;        ///< backward error after refinement, ‖f − Ku‖/(‖f‖ + ‖|K||u|‖)
   std::optional<double> drift;           ///< largest difference of priced and fresh cost, in units of the start's cost
   std::optional<double> spread;          ///< k_max / k_min at the best point

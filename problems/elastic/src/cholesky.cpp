@@ -240,20 +240,21 @@ void Cholesky::update(std::span<const int> positions, std::span<const double> b,
   if (h.common->status == CHOLMOD_OUT_OF_MEMORY) throw std::bad_alloc();
 }
 
-double Cholesky::smallest_pivot_ratio() const {
+Cholesky::WeakestPivot Cholesky::weakest_pivot() const {
   const cholmod_factor& factor = *handles_->factor;
   const double* l = static_cast<const double*>(factor.x);
-  double smallest = 1.0;
+  WeakestPivot weakest;
   const auto look = [&](std::size_t column, double pivot) {
     // The diagonal is the last entry of a sorted upper column, the first of a lower one.
     const auto at = static_cast<std::size_t>(pattern_.supernodal_ ? pattern_.column_begins_[column]
                                                                   : pattern_.column_begins_[column + 1] - 1);
-    smallest = std::min(smallest, pivot * pivot / handles_->values[at]);
+    const double ratio = pivot * pivot / handles_->values[at];
+    if (ratio < weakest.ratio) weakest = {ratio, column};
   };
   if (!factor.is_super) {
     const int* begins = static_cast<const int*>(factor.p);
     for (std::size_t j = 0; j < factor.n; ++j) look(j, l[begins[j]]);
-    return smallest;
+    return weakest;
   }
   const int* supernodes = static_cast<const int*>(factor.super);
   const int* row_begins = static_cast<const int*>(factor.pi);
@@ -265,7 +266,7 @@ double Cholesky::smallest_pivot_ratio() const {
       look(static_cast<std::size_t>(j), l[value_begins[s] + within * height + within]);
     }
   }
-  return smallest;
+  return weakest;
 }
 
 std::span<double> Cholesky::right_hand_side(std::size_t columns) {

@@ -88,7 +88,13 @@ class Cholesky {
   /// After not_positive_definite: the permuted position of the pivot that failed.
   [[nodiscard]] std::size_t failed_position() const noexcept { return failed_position_; }
   /// min_j L_jj²/K_jj: how many digits the worst pivot kept when the others were eliminated; 1 is all.
-  [[nodiscard]] double smallest_pivot_ratio() const;
+  [[nodiscard]] double smallest_pivot_ratio() const { return weakest_pivot().ratio; }
+  /// The same with the permuted position where it stands.
+  struct WeakestPivot {
+    double ratio = 1.0;
+    std::size_t position = 0;
+  };
+  [[nodiscard]] WeakestPivot weakest_pivot() const;
 
   /// Solves for `columns` right-hand sides. Write them, permuted and one after the other, into
   /// `right_hand_side(columns)`, call `solve(columns)`: the span that it returns holds the solutions the same way,

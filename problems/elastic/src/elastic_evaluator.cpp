@@ -33,8 +33,9 @@ ElasticEvaluator::~ElasticEvaluator() = default;
 
 Evaluation ElasticEvaluator::evaluate_stiffness(bool refined) {
   at_point_ = false;
-  if (const Status status = full_.solve(stiffness_, refined); status != Status::ok) return {status, 0.0};
+  const Status status = full_.solve(stiffness_, refined);
   if (refined) health_ = full_.health();
+  if (status != Status::ok) return {status, 0.0};
   at_point_ = true;
   refined_ = refined;
   cost_ = model_.cost(full_.squared());

@@ -29,11 +29,15 @@ struct ElasticModel {
   [[nodiscard]] double cost(double squared_quality) const noexcept {
     return 0.5 * squared_quality * inverse_reference_squared;
   }
+  /// What a cost may be off by when displacements are off by Σ ‖·‖²_W = `error_squared`: with r = √(2 cost) and
+  /// Δ = √error_squared/‖u_ref‖_W that is rΔ + ½Δ², and the rounding of the sums themselves.
+  [[nodiscard]] double cost_error(double cost, double error_squared) const noexcept;
 
   Scene scene;
   Parameters parameters;
   std::vector<std::unique_ptr<EquilibriumGroup>> groups;
-  double reference_norm = 0.0;  ///< ‖u_ref‖_W over all loads
+  double displacement_unit = 1.0;  ///< [m], a power of two: groups, and all that is computed in them, measure by it
+  double reference_norm = 0.0;     ///< ‖u_ref‖_W over all loads [displacement_unit]
   double inverse_reference_squared = 0.0;
   std::size_t residual_count = 0;           ///< free freedoms, summed over loads
   std::vector<std::size_t> first_residual;  ///< by load

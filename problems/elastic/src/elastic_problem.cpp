@@ -58,7 +58,9 @@ std::unique_ptr<Evaluator> ElasticProblem::make_evaluator() const {
 }
 
 std::optional<double> ElasticProblem::relative_error(double cost) const { return std::sqrt(2.0 * cost); }
-double ElasticProblem::quality(double cost) const { return std::sqrt(2.0 * cost) * data_->model.reference_norm; }
+double ElasticProblem::quality(double cost) const {
+  return std::sqrt(2.0 * cost) * data_->model.reference_norm * data_->model.displacement_unit;
+}
 
 std::vector<double> ElasticProblem::stiffness(std::span<const double> x) const {
   std::vector<double> k(parameters().springs());
@@ -77,6 +79,7 @@ State ElasticProblem::solve(std::span<const double> stiffness) const {
   state.relative_error = *relative_error(result.cost);
   const auto [softest, stiffest] = std::ranges::minmax(stiffness);
   state.health.spread = stiffest / softest;
+  const double unit = data_->model.displacement_unit;
   state.loads.resize(scene().loads.loads.size());
   for (std::size_t g = 0; g < data_->model.groups.size(); ++g) {
     Equilibrium& equilibrium = evaluator.equilibrium(g);
@@ -90,14 +93,14 @@ State ElasticProblem::solve(std::span<const double> stiffness) const {
         group.add_spring(e, stiffness[e] * group.elongation(e, placed.data()), force.data());
       LoadState& out = state.loads[group.loads()[l].index];
       out.name = load.name;
-      out.quality = std::sqrt(squared_error(group, l, placed.data()));
+      out.quality = std::sqrt(squared_error(group, l, placed.data())) * unit;
       out.reference = load.reference;
       out.displacement.resize(group.freedoms());
-      for (std::size_t i = 0; i < group.freedoms(); ++i) out.displacement[i] = placed[group.place()[i]];
+      for (std::size_t i = 0; i < group.freedoms(); ++i) out.displacement[i] = placed[group.place()[i]] * unit;
       out.supports = group.supports();
       for (const Support& s : group.supports()) {
         const std::size_t freedom = 2 * s.node + s.axis;
-        out.bearing.push_back(force[group.place()[freedom]] - load.forces[freedom]);
+        out.bearing.push_back(force[group.place()[freedom]] * unit - load.forces[freedom]);
       }
     }
   }

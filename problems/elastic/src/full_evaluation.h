@@ -20,7 +20,7 @@ class FullEvaluation {
   explicit FullEvaluation(const ElasticModel& model);
 
   /// G² = Σ w (u − u_ref)² at [springs] stiffnesses, which must stay as they are while this object is used.
-  /// `refined`: as far as double precision goes, filling `health()`.
+  /// `refined`: as far as double precision goes, filling `health()` (a refused solve leaves its error estimate there).
   Status solve(std::span<const double> stiffness, bool refined = false);
   /// Of the last solve that was ok.
   [[nodiscard]] double squared() const noexcept { return squared_; }
@@ -34,6 +34,8 @@ class FullEvaluation {
   [[nodiscard]] Work work() const;
 
  private:
+  Status refuse(Status status, double error_estimate, bool refined);
+
   const ElasticModel& model_;
   std::vector<std::unique_ptr<Equilibrium>> equilibria_;
   std::span<const double> stiffness_;
