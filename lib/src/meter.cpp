@@ -231,24 +231,28 @@ Evaluation Meter::residuals_and_jacobian(std::span<const double> x, std::span<do
   return repeated ? result : settle(result, x);
 }
 
-Status Meter::jacobian_product(std::span<const double> v, std::span<double> jv) {
+// Many products may lie between two evaluations, so the deadline is looked at after each.
+template <class Compute>
+Status Meter::product(Compute compute) {
   if (spent()) {
     ++counts_.refused;
     return Status::budget_spent;
   }
   ++counts_.products;
-  const WorkClock clock(evaluation_seconds_);
-  return evaluator_.jacobian_product(v, jv);
+  const Clock::time_point began = Clock::now();
+  const Status status = compute();
+  const Clock::time_point ended = Clock::now();
+  evaluation_seconds_ += seconds_between(began, ended);
+  if (seconds_between(began_, ended) >= limits_.seconds) stop_ = Stop::seconds;
+  return status;
+}
+
+Status Meter::jacobian_product(std::span<const double> v, std::span<double> jv) {
+  return product([&] { return evaluator_.jacobian_product(v, jv); });
 }
 
 Status Meter::jacobian_transposed_product(std::span<const double> w, std::span<double> jtw) {
-  if (spent()) {
-    ++counts_.refused;
-    return Status::budget_spent;
-  }
-  ++counts_.products;
-  const WorkClock clock(evaluation_seconds_);
-  return evaluator_.jacobian_transposed_product(w, jtw);
+  return product([&] { return evaluator_.jacobian_transposed_product(w, jtw); });
 }
 
 MeteredMoves& Meter::moves() {

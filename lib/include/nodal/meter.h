@@ -150,6 +150,8 @@ class Meter {
   bool begin_sample() noexcept;
   void end_sample() noexcept;
 
+  template <class Compute>
+  Status product(Compute compute);
   // What every evaluation ends with: sanitizes the result and looks whether it is an improvement.
   Evaluation settle(Evaluation result, std::span<const double> x);
   void improve(std::span<const double> x, double cost, std::size_t changed, double changed_value);

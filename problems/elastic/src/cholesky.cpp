@@ -27,9 +27,17 @@ class Common {
     common_.method[0].ordering = CHOLMOD_AMD;
     common_.postorder = 1;
     common_.final_ll = 1;
-    // Supernodal pays from about this many flops per entry of the factor; CHOLMOD's own 40 is too early here, where its
-    // many small OpenMP regions cost more than its dense blocks gain (2,500 nodes: simplicial 7 ms, supernodal 11 ms).
-    common_.supernodal_switch = 120.0;
+    // Wide supernodes: each costs several OpenMP regions and small BLAS calls, which take longer than the zeros that
+    // merging brings in (10,000 nodes: 48 ms as CHOLMOD merges by itself, 27 ms so; 2,500 nodes: 11 ms, 5 ms).
+    common_.nrelax[0] = 24;
+    common_.nrelax[1] = 48;
+    common_.nrelax[2] = 96;
+    common_.zrelax[0] = 0.8;
+    common_.zrelax[1] = 0.3;
+    common_.zrelax[2] = 0.1;
+    // Supernodal pays from about this many flops per entry of the factor (900 nodes have 66: 1.8 ms simplicial, 1.7 ms
+    // supernodal but a slower solve; 1,600 have 73: 3.8 ms, 3.2 ms; 2,500 have 88: 7.7 ms, 5.2 ms).
+    common_.supernodal_switch = 70.0;
     common_.supernodal = factorization == Factorization::simplicial   ? CHOLMOD_SIMPLICIAL
                          : factorization == Factorization::supernodal ? CHOLMOD_SUPERNODAL
                                                                       : CHOLMOD_AUTO;
