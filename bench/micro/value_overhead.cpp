@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a value costs over its four factorizations and solves alone: parameters, assembly, status checks, the sum of
-// squared differences. Required: ratio ≤ 1.3.
+// squared differences. Required: ratio ≤ 1.3, and ≤ 1.05 at 10,000 nodes.
 #include <cholmod.h>
 #include <dlfcn.h>
 
 #include <algorithm>
+#include <array>
 #include <memory>
 #include <new>
 
@@ -27,6 +28,10 @@ class BareSystem {
     common_.method[0].ordering = CHOLMOD_NATURAL;
     common_.postorder = 0;
     common_.final_ll = 1;
+    for (int i = 0; i < 3; ++i) {  // supernodes merged as the evaluator merges them
+      common_.nrelax[i] = std::array{24, 48, 96}[static_cast<std::size_t>(i)];
+      common_.zrelax[i] = std::array{0.8, 0.3, 0.1}[static_cast<std::size_t>(i)];
+    }
     common_.supernodal = group.pattern().supernodal() ? CHOLMOD_SUPERNODAL : CHOLMOD_SIMPLICIAL;
     assemble(group, scene, stiffness);
     forces_ = cholmod_zeros(group.free(), group.loads().size(), CHOLMOD_REAL, &common_);
@@ -118,6 +123,7 @@ BENCHMARK(value_overhead)
     ->ArgName("nodes")
     ->Arg(25)
     ->Arg(441)
+    ->Arg(10000)
     ->Iterations(1)
     ->UseManualTime()
     ->Unit(benchmark::kMicrosecond);

@@ -20,6 +20,8 @@ OptimizerDescription describe(const Method& method) {
           .deterministic = method.deterministic,
           .uses_start = method.uses_start,
           .local = method.local,
+          .dense_matrix =
+              method.dense_model || method.population.per_freedom > 0 ? DenseMatrix::square : DenseMatrix::none,
           .options = make_schema(method),
           .make = [&method](const Options& options) {
             return std::make_unique<NloptOptimizer>(method, read_settings(options));
