@@ -17,8 +17,8 @@ namespace nodal {
 
 namespace {
 
-// Above this a dense Jacobian is slower than products with it (an elastic plate of 5 × 5 nodes has 0.1 MiB, 10 × 10 have
-// 2 MiB and are fitted in a tenth of the time without).
+// Above this a dense Jacobian is slower than products with it (an elastic plate of 5 × 5 nodes has 0.1 MiB, 10 × 10
+// have 2 MiB and are fitted in a tenth of the time without).
 constexpr double kMostJacobianBytes = 0.5 * 1048576.0;
 constexpr double kDefaultSeconds = 60.0;
 

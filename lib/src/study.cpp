@@ -260,8 +260,8 @@ class StudyReader {
                                                          optimizer.label, fmt::join(missing, " and "), problem.label));
         const std::string refusal = dense_matrix_refusal(description, *problem.problem, registry_);
         if (!refusal.empty())
-          throw InputError(labelled->second, fmt::format("optimizer '{}' on problem '{}' {}", optimizer.label,
-                                                         problem.label, refusal));
+          throw InputError(labelled->second,
+                           fmt::format("optimizer '{}' on problem '{}' {}", optimizer.label, problem.label, refusal));
       }
     }
   }
