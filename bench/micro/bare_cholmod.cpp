@@ -4,6 +4,7 @@
 #include <dlfcn.h>
 
 #include <algorithm>
+#include <array>
 #include <new>
 #include <stdexcept>
 
@@ -49,6 +50,10 @@ BareSystem::BareSystem(const elastic::EquilibriumGroup& group, const elastic::Sc
   common_.method[0].ordering = CHOLMOD_NATURAL;
   common_.postorder = 0;
   common_.final_ll = 1;
+  for (std::size_t i = 0; i < 3; ++i) {  // supernodes merged as the evaluator merges them
+    common_.nrelax[i] = std::array{24, 48, 96}[i];
+    common_.zrelax[i] = std::array{0.8, 0.3, 0.1}[i];
+  }
   common_.supernodal = group.pattern().supernodal() ? CHOLMOD_SUPERNODAL : CHOLMOD_SIMPLICIAL;
   matrix_ = assembled(group, scene, stiffness, &common_);
   if (matrix_->nzmax < group.pattern().entries()) throw std::logic_error("BareSystem: not the evaluator's pattern");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Value and gradient over value alone: one more solve per load. Required: ratio ≤ 1.6.
+// Value and gradient over value alone: one more solve per load. Required: ratio ≤ 1.6, and ≤ 1.3 at 441 nodes.
 #include "plate.h"
 
 namespace nodal::micro {

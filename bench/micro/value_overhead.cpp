@@ -36,6 +36,7 @@ BENCHMARK(value_overhead)
     ->ArgName("nodes")
     ->Arg(25)
     ->Arg(441)
+    ->Arg(10000)
     ->Iterations(1)
     ->UseManualTime()
     ->Unit(benchmark::kMicrosecond);

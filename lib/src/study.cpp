@@ -251,13 +251,17 @@ class StudyReader {
   void check_needs() const {
     for (const StudyOptimizer& optimizer : study_.optimizers) {
       if (optimizer.skipped) continue;
-      const Abilities needs = registry_.find_optimizer(optimizer.use)->needs;
+      const OptimizerDescription& description = *registry_.find_optimizer(optimizer.use);
       const auto labelled = std::ranges::find(optimizer_labels_, optimizer.label, &Labels::value_type::first);
       for (const StudyProblem& problem : study_.problems) {
-        const std::vector<std::string> missing = problem.problem->abilities().missing(needs);
+        const std::vector<std::string> missing = problem.problem->abilities().missing(description.needs);
         if (!missing.empty())
           throw InputError(labelled->second, fmt::format("optimizer '{}' needs {}, which problem '{}' can't give",
                                                          optimizer.label, fmt::join(missing, " and "), problem.label));
+        const std::string refusal = dense_matrix_refusal(description, *problem.problem, registry_);
+        if (!refusal.empty())
+          throw InputError(labelled->second,
+                           fmt::format("optimizer '{}' on problem '{}' {}", optimizer.label, problem.label, refusal));
       }
     }
   }

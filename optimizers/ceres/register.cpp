@@ -131,6 +131,7 @@ OptimizerDescription describe(TrustRegion kind, std::string name, std::string su
           .deterministic = true,
           .uses_start = true,
           .local = true,
+          .dense_matrix = DenseMatrix::jacobian,
           .options = trust_region_schema(kind),
           .make = [kind](const Options& options) {
             return std::make_unique<TrustRegionOptimizer>(read_trust_region(kind, options));
@@ -145,6 +146,7 @@ OptimizerDescription describe(Direction direction, std::string name, std::string
           .deterministic = true,
           .uses_start = true,
           .local = true,
+          .dense_matrix = direction == Direction::bfgs ? DenseMatrix::square : DenseMatrix::none,
           .options = line_search_schema(direction),
           .make = [direction](const Options& options) {
             return std::make_unique<LineSearchOptimizer>(read_line_search(direction, options));

@@ -21,7 +21,7 @@
 namespace nodal::gauss_newton {
 
 struct CgSettings {
-  int max_iterations = 25;
+  int max_iterations = 10;
   double tolerance = 0.1;
   std::size_t pairs = 5;
 };

@@ -82,6 +82,7 @@ constexpr Method kMethods[] = {
      .reference = "M. Powell, The BOBYQA algorithm for bound constrained optimization without derivatives, Cambridge "
                   "NA2009/06, 2009",
      .local = true,
+     .dense_model = true,
      .initial_step = true},
     {.name = "nlopt-neldermead",
      .algorithm = NLOPT_LN_NELDERMEAD,
@@ -115,7 +116,8 @@ constexpr Method kMethods[] = {
      .summary = "dense BFGS with least-squares subproblems; n^3 per step, so for a few hundred coordinates",
      .reference = "D. Kraft, Algorithm 733: TOMP, ACM Trans. Mathematical Software 20(3), 1994",
      .needs_gradient = true,
-     .local = true},
+     .local = true,
+     .dense_model = true},
     {.name = "nlopt-tnewton",
      .algorithm = NLOPT_LD_TNEWTON_PRECOND_RESTART,
      .summary = "truncated Newton, preconditioned and restarted; differences of gradients stand for the Hessian",

@@ -35,6 +35,7 @@ struct Method {
   bool uses_start = true;
   bool local = false;
   Population population = {};
+  bool dense_model = false;     ///< holds a matrix of coordinates × coordinates
   bool vector_storage = false;  ///< remembers steps and gradients: one of Luksan's methods
   bool initial_step = false;    ///< without derivatives: the first step tells the scale
   LocalSearch local_search = LocalSearch::none;

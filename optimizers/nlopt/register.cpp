@@ -13,17 +13,19 @@ namespace nlopt_methods {
 namespace {
 
 OptimizerDescription describe(const Method& method) {
-  return {.name = std::string(method.name),
-          .summary = std::string(method.summary),
-          .reference = std::string(method.reference),
-          .needs = {.gradient = method.needs_gradient},
-          .deterministic = method.deterministic,
-          .uses_start = method.uses_start,
-          .local = method.local,
-          .options = make_schema(method),
-          .make = [&method](const Options& options) {
-            return std::make_unique<NloptOptimizer>(method, read_settings(options));
-          }};
+  return {
+      .name = std::string(method.name),
+      .summary = std::string(method.summary),
+      .reference = std::string(method.reference),
+      .needs = {.gradient = method.needs_gradient},
+      .deterministic = method.deterministic,
+      .uses_start = method.uses_start,
+      .local = method.local,
+      .dense_matrix = method.dense_model || method.population.per_freedom > 0 ? DenseMatrix::square : DenseMatrix::none,
+      .options = make_schema(method),
+      .make = [&method](const Options& options) {
+        return std::make_unique<NloptOptimizer>(method, read_settings(options));
+      }};
 }
 
 std::string library_version() {

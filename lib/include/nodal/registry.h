@@ -13,6 +13,7 @@
 #include <string_view>
 #include <vector>
 
+#include <nodal/dense_matrix.h>
 #include <nodal/optimizer.h>
 #include <nodal/options.h>
 #include <nodal/problem.h>
@@ -27,6 +28,7 @@ struct OptimizerDescription {
   bool deterministic = false;  ///< draws nothing from the stream
   bool uses_start = true;      ///< false for methods that search the whole box regardless
   bool local = false;          ///< goes to a nearby minimum: worth wrapping in multi-start
+  DenseMatrix dense_matrix = DenseMatrix::none;  ///< the largest that it holds
   OptionSchema options = {};
   std::function<std::unique_ptr<Optimizer>(const Options&)> make = {};
 };

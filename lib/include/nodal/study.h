@@ -75,7 +75,7 @@ struct StudyOverrides {
 
 /// Reads a study. InputError ("file:line: …") for everything that is wrong with it: syntax, an unknown key, type,
 /// range, an unknown optimizer or problem (nearest names offered), two equal labels, an optimizer that needs what a
-/// problem can't give. A study without optimizers or without a budget can be evaluated, but not compared.
+/// problem can't give, or whose dense matrix is too large for it (dense_matrix.h). A study without optimizers or without a budget can be evaluated, but not compared.
 [[nodiscard]] Study read_study(const std::filesystem::path& path, const Registry& registry,
                                const StudyOverrides& overrides = {});
 /// The same from a text; `path` is for messages and relative files.

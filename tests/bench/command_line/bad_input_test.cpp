@@ -95,6 +95,36 @@ TEST(BadStudy, WithoutAProblemIsRefused) {
   EXPECT_EQ(output.err, "nodal: empty.toml: missing table [problem]; a study needs one\n");
 }
 
+// 79,398 residuals by 39,402 springs: refused when the study is read, before anything is allocated.
+const std::string kLargePlate =
+    "[budget]\nevaluations = 1\n[problem]\nkind = \"elastic\"\npoints = { counts = [100, 100] }\n";
+
+TEST(BadStudy, WhoseDenseJacobianDoesntFitIsRefused) {
+  const Folder folder;
+  folder.write("large.toml", kLargePlate + "[[optimizer]]\nuse = \"ceres-levenberg-marquardt\"\n");
+  const Output output = run(folder, {"compare", "large.toml"});
+  if (output.err.find("not in this build") != std::string::npos) GTEST_SKIP() << "no Ceres";
+  EXPECT_EQ(output.exit, 2);
+  EXPECT_TRUE(
+      output.err.starts_with("nodal: large.toml:6: optimizer 'ceres-levenberg-marquardt' on problem 'elastic' "
+                             "needs a dense Jacobian of 79398 × 39402 numbers, 23.3 GiB, where at most "))
+      << output.err;
+  EXPECT_NE(output.err.find("without one work: "), std::string::npos) << output.err;
+  EXPECT_NE(output.err.find("gauss-newton"), std::string::npos) << output.err;
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "results"));
+}
+
+TEST(BadStudy, WhoseDenseJacobianDoesntFitIsFittedWithoutOne) {
+  const Folder folder;
+  folder.write("large.toml", kLargePlate);
+  const Output refused = run(folder, {"fit", "large.toml", "--with", "ceres-dogleg"});
+  EXPECT_EQ(refused.exit, 2);
+  const Output fit = run(folder, {"fit", "large.toml", "--export", "fit.json"});
+  EXPECT_EQ(fit.exit, 0);
+  EXPECT_TRUE(fit.err.starts_with("elastic (39402 coordinates) with gauss-newton: least squares by products"))
+      << fit.err;
+}
+
 TEST(BadStudy, WithTwoProblemsOfOneLabelIsRefused) {
   const Folder folder;
   folder.write("two.toml", "[[problem]]\nkind = \"elastic\"\n[[problem]]\nkind = \"elastic\"\n");
