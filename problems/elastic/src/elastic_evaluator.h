@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "full_evaluation.h"
+#include "lanes/lane_evaluation.h"
 
 namespace nodal::elastic {
 
@@ -49,12 +50,13 @@ class ElasticEvaluator final : public Evaluator {
   Evaluation evaluate(std::span<const double> x, bool refined);
   Evaluation evaluate_stiffness(bool refined);
   void require_point() const;
-  void write_residuals(std::span<double> residuals);
-  void add_adjoint(Equilibrium& equilibrium, std::span<double> by_spring);
-  void add_jacobian_columns(std::size_t group, std::size_t begin, std::size_t end, std::span<double> jacobian);
+  bool solve_by_lanes(double& squared);
 
   const ElasticModel& model_;
   FullEvaluation full_;
+  bool by_lanes_;
+  std::unique_ptr<LaneEvaluation> lanes_;  // made at the first value
+  PointDerivatives* solver_ = nullptr;     // the one of the two that solved for the point
   std::vector<double> x_, stiffness_, by_spring_;
   bool at_point_ = false;  // x_, factors and displacements belong to one successful evaluation
   bool refined_ = false;   // … and that was an audit

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "moves/lane_model.h"
+#include "lanes/lane_model.h"
 
 namespace nodal::elastic {
 

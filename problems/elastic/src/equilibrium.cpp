@@ -28,9 +28,6 @@ constexpr double kNoDigits = 0.1;
 // 1 − λ/λ' times that: within this of 1, what holds the node is nothing beside the rounding.
 constexpr double kHeldByRounding = 0.05;
 
-// One correction leaves about the square of its own relative size: above this, one is not enough to trust.
-constexpr double kSuspiciousCorrection = 1e-4;
-
 std::vector<bool> fixed_freedoms(const Scene& scene, const SupportGroup& group) {
   std::vector<bool> fixed(2 * scene.net.nodes.size(), false);
   for (const Support& s : group.supports) fixed.at(2 * s.node + s.axis) = true;

@@ -12,10 +12,11 @@
 #include <vector>
 
 #include "elastic_model.h"
+#include "point_derivatives.h"
 
 namespace nodal::elastic {
 
-class FullEvaluation {
+class FullEvaluation final : public PointDerivatives {
  public:
   explicit FullEvaluation(const ElasticModel& model);
 
@@ -31,9 +32,17 @@ class FullEvaluation {
   [[nodiscard]] std::size_t groups() const noexcept { return equilibria_.size(); }
   [[nodiscard]] Equilibrium& group(std::size_t g) { return *equilibria_.at(g); }
   [[nodiscard]] const Equilibrium& group(std::size_t g) const { return *equilibria_.at(g); }
-  [[nodiscard]] Work work() const;
+
+  void residuals(std::span<double> residuals) override;
+  void add_gradient(std::span<double> by_spring) override;
+  void product(std::span<const double> factor, std::span<double> jv) override;
+  void add_transposed_product(std::span<const double> w, std::span<double> by_spring) override;
+  void add_jacobian(std::span<double> jacobian) override;
+  [[nodiscard]] Work work() const override;
 
  private:
+  static void add_adjoint(Equilibrium& equilibrium, std::span<double> by_spring);
+  void add_jacobian_columns(Equilibrium& equilibrium, std::size_t begin, std::size_t end, std::span<double> jacobian);
   Status refuse(Status status, double error_estimate, bool refined);
 
   const ElasticModel& model_;

@@ -125,8 +125,10 @@ OptionSchema elastic_schema() {
       table("quality", "how displacements are compared: G of eq. (12)",
             {table("weights", "of squared differences", weight_fields())}),
       table("equilibrium", "how equilibria are solved",
-            {{.name = "method", .type = OptionType::text, .default_value = "auto", .choices = {"auto", "simplicial", "supernodal"},
-              .help = "CHOLMOD's factorization; auto chooses by size"}}),
+            {{.name = "method", .type = OptionType::text, .default_value = "auto", .choices = {"auto", "lanes", "simplicial", "supernodal"},
+              .help = "what races see: lanes factors all support groups at once in vector registers, simplicial and supernodal "
+                      "are CHOLMOD's, one group at a time; auto takes the lanes where supports rest. What is reported "
+                      "always comes from CHOLMOD"}}),
       table("moves", "how single changes are priced, as annealing makes them", moves_fields()),
   };
 }

@@ -8,7 +8,7 @@
 
 #include "full_evaluation.h"
 #include "lanes/lane_system.h"
-#include "moves/lane_model.h"
+#include "lanes/lane_model.h"
 #include "plate.h"
 
 namespace nodal::elastic {

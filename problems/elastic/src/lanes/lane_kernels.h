@@ -50,6 +50,15 @@ struct LaneKernels {
   void (*solve_spring)(const LaneView&, std::uint32_t spring, double* z);
   /// u = K⁻¹(force) of every slot, into [slots][nodes] pairs.
   void (*solve_loads)(const LaneView&, double* u);
+  /// One refinement step of a slot's u: the residual force − Σ k_e b_e (b_e·u), spring by spring, solved for and added.
+  /// The largest ‖δu‖/‖u‖ over the groups; infinity where that is no number. Works in view.y.
+  double (*correct)(const LaneView&, const double* stiffness, std::uint32_t slot, double* u);
+  /// y = weight (u − reference) of a slot.
+  void (*weighted_error)(const LaneView&, std::uint32_t slot, const double* u, double* y);
+  /// p = K⁻¹y in place, then by_spring[e] −= Σ_groups (b_e·p)(b_e·u).
+  void (*adjoint)(const LaneView&, const double* u, double* y, double* by_spring);
+  /// y = −K⁻¹ Σ_e b_e (b_e·u) factor_e.
+  void (*product)(const LaneView&, const double* u, const double* factor, double* y);
   /// Σ weight (u − reference)² over slots, nodes and groups.
   double (*squared_error)(const LaneView&, const double* u);
 

@@ -61,6 +61,12 @@ class LaneStructure {
     std::size_t group, lane, slot;
   };
   [[nodiscard]] const std::vector<Slot>& loads() const noexcept { return loads_; }
+  /// b_e·u of one lane, of a vector of pairs.
+  [[nodiscard]] double elongation(std::size_t spring, std::size_t lane, const double* u) const noexcept {
+    const LaneSpring& s = graph_.springs[spring];
+    const double *low = u + 2 * lanes_ * s.low + lane, *high = u + 2 * lanes_ * s.high + lane;
+    return s.dx * (high[0] - low[0]) + s.dy * (high[lanes_] - low[lanes_]);
+  }
   /// Structure filled in, state left empty.
   [[nodiscard]] LaneView view() const noexcept;
 

@@ -11,7 +11,7 @@
 #include <string>
 #include <string_view>
 
-#include "moves/lane_model.h"
+#include "lanes/lane_model.h"
 
 namespace nodal::elastic {
 

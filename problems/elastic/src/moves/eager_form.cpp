@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "moves/lane_work.h"
+#include "lanes/lane_work.h"
 
 namespace nodal::elastic {
 

@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "lanes/lane_system.h"
-#include "moves/lane_model.h"
+#include "lanes/lane_model.h"
 #include "moves/pricing_form.h"
 
 namespace nodal::elastic {

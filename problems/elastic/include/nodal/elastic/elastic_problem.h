@@ -42,7 +42,7 @@ struct Scene {
   std::vector<double> initial_stiffness;        ///< [springs], before tying and before moving inside the bounds
   std::array<double, 2> stiffness_bounds = {};  ///< N/m
   std::string initial_rule;                     ///< for `explain`
-  std::string solver = "auto";                  ///< auto | simplicial | supernodal
+  std::string solver = "auto";                  ///< auto | lanes | simplicial | supernodal
   double stress = 1.0;
   MovesOptions moves = {};
 

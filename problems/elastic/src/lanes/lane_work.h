@@ -21,6 +21,7 @@ struct LaneCounts {
   std::int64_t rank_one_updates = 0;
 };
 
+[[nodiscard]] Work lane_work(const LaneSystem& system, const LaneCounts& counts);
 [[nodiscard]] Work lane_work(const std::vector<LaneSystem>& systems, const LaneCounts& counts);
 
 }  // namespace nodal::elastic
