@@ -9,7 +9,10 @@
 ///   J v       −K⁻¹ Σ_e b_e (b_e·u) v_e;  Jᵀw like the gradient           one solve per load
 /// and in x = ln k each ∂/∂k_e times k_e, summed over tied springs.
 ///
-/// Cost     value: one factorization per group, one solve per load. After the first call of each kind our own code
+/// Values that races see come from the lane factor where it can be trusted (lanes/lane_evaluation.h), from CHOLMOD
+/// otherwise; audits always come from CHOLMOD, refined. Derivatives come from whichever solved for the point.
+///
+/// Cost     value: one factorization of all groups, one solve per load. After the first call of each kind our own code
 ///          allocates nothing.
 /// Threads  one per thread.
 

@@ -128,10 +128,16 @@ std::vector<Stage> ElasticProblem::stages() const {
        fmt::format("{}: {} coordinates (ln k) for {} springs", s.parameter_rule, parameters().size(),
                    parameters().springs())},
       {"initial stiffness", true, s.initial_rule},
+      {"lanes", values_by_lanes(model),
+       values_by_lanes(model)
+           ? fmt::format("values of a race: all support groups in one factorization ({} kernels)",
+                         s.moves.instructions == "auto" ? best_lane_instructions() : s.moves.instructions)
+           : "values of a race come from CHOLMOD: it is asked for, or a support moves"},
       {"equilibrium", true,
-       fmt::format("CHOLMOD {}, {} factorization{} per value", supernodal ? "supernodal" : "simplicial",
-                   model.groups.size(), model.groups.size() == 1 ? "" : "s")},
-      {"gradient", true, "adjoint: one more solve per load, from the same factorizations"},
+       fmt::format("CHOLMOD {}, {} factorization{} per {}", supernodal ? "supernodal" : "simplicial",
+                   model.groups.size(), model.groups.size() == 1 ? "" : "s",
+                   values_by_lanes(model) ? "value that is reported" : "value")},
+      {"gradient", true, "adjoint: one more solve per load, from the same factor"},
       {"moves", true,
        s.moves.form != "auto" ? fmt::format("priced by the form that is asked for: {}", s.moves.form)
        : parameters().one_to_one()

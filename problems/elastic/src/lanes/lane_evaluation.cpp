@@ -26,7 +26,7 @@ LaneEvaluation::LaneEvaluation(const ElasticModel& model) : model_(model) {
   for (LaneSystem& lanes : make_systems(model, model.lanes())) {
     const LaneStructure& structure = lanes.structure();
     System& system =
-        systems_.emplace_back(System{std::move(lanes), AlignedArray(structure.slots() * structure.vector_size()), {}});
+        systems_.emplace_back(System{std::move(lanes), AlignedArray(structure.slots() * structure.vector_size()), {}, {}, {}});
     system.residuals.resize(structure.slots());
     for (const LaneStructure::Slot& slot : structure.loads()) {
       const EquilibriumGroup& group = *model.groups[slot.group];
@@ -120,7 +120,11 @@ void LaneEvaluation::add_jacobian(std::span<double> jacobian) {
   for (System& system : systems_) {
     const LaneStructure& structure = system.lanes.structure();
     const std::size_t vector = structure.vector_size();
-    AlignedArray z(kColumns * vector), factors(kColumns * structure.lanes());
+    if (system.columns.size() == 0) {
+      system.columns = AlignedArray(kColumns * vector);
+      system.factors = AlignedArray(kColumns * structure.lanes());
+    }
+    AlignedArray &z = system.columns, &factors = system.factors;
     for (std::size_t begin = 0; begin < stiffness_.size(); begin += kColumns) {
       const std::size_t count = std::min(kColumns, stiffness_.size() - begin);
       for (std::size_t c = 0; c < count; ++c)

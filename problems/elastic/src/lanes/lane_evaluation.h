@@ -7,7 +7,8 @@
 /// Accuracy the same rule as Equilibrium::solve_loads: where the worst pivot says that a plain solve may be off by more
 ///          than 1e-10, one correction with the residual summed spring by spring; where that is large, or the system is
 ///          not positive definite, nothing is said and CHOLMOD has to.
-/// Cost     value: one lane factorization, one solve per slot; gradient and products: one solve per slot.
+/// Cost     value: one lane factorization, one solve per slot; gradient and products: one solve per slot; Jacobian: a
+///          path and a pass per spring. Nothing is allocated after the first call of each.
 /// Threads  one per thread.
 
 #include <optional>
@@ -49,6 +50,7 @@ class LaneEvaluation final : public PointDerivatives {
     LaneSystem lanes;
     AlignedArray u;  // [slots] vectors
     std::vector<std::vector<Residual>> residuals;  // by slot
+    AlignedArray columns, factors;                 // of a Jacobian; made at the first one
   };
 
   const ElasticModel& model_;
