@@ -442,28 +442,56 @@ void assemble(const LaneView& view, const double* stiffness) {
   }
 }
 
-// Column j of K less what the columns to its left take from it. Of each such column k, blocks from row j on are taken
-// as L_ik (D_k L_jkᵀ); `positions` maps rows to column j's blocks.
+// What column k takes from column j, by L_jk: the block at the crossing, its entries spread over pairs.
+template <int G>
+struct Crossing {
+  Pair<G> xx, xy, yx, yy;
+
+  // While factoring, column k holds A_jk = L_jk D_k in its blocks and D_k⁻¹ in its diagonal.
+  Crossing(const LaneView& view, const RowEntry& entry) {
+    const Block<G> a = Block<G>::load(view.blocks + std::size_t{kBlock<G>} * entry.block);
+    const Block<G> inverse = Block<G>::load(view.blocks + std::size_t{kBlock<G>} * view.begin[entry.column]);
+    const Pair<G> x = inverse * pair_of<G>(x_of<G>(a.first), x_of<G>(a.second));
+    const Pair<G> y = inverse * pair_of<G>(y_of<G>(a.first), y_of<G>(a.second));
+    xx = both<G>(x_of<G>(x));
+    xy = both<G>(y_of<G>(x));
+    yx = both<G>(x_of<G>(y));
+    yy = both<G>(y_of<G>(y));
+  }
+  void take(Block<G>& b, const Block<G>& below) const {
+    b.first = b.first - below.first * xx - below.second * xy;
+    b.second = b.second - below.first * yx - below.second * yy;
+  }
+};
+
+// Column j of K less what the columns to its left take from it: of each column k, A_ik L_jkᵀ for the rows i from j on.
+// `positions` maps rows to column j's blocks. Two columns with the same rows are taken at once.
 template <int G>
 void subtract_left(const LaneView& view, Index j, Index* positions) {
   for (Index p = view.begin[j]; p < view.begin[j + 1]; ++p) positions[view.row[p]] = p;
   for (Index r = view.row_begin[j]; r < view.row_begin[j + 1]; ++r) {
-    const Index k = view.row_entries[r].column, at = view.row_entries[r].block;
-    // While factoring, column k holds A_ik = L_ik D_k in its blocks and D_k⁻¹ in its diagonal: L_jkᵀ = D_k⁻¹ A_jkᵀ.
-    const Block<G> a = Block<G>::load(view.blocks + std::size_t{kBlock<G>} * at);
-    const Block<G> inverse = Block<G>::load(view.blocks + std::size_t{kBlock<G>} * view.begin[k]);
-    const Pair<G> row_x = pair_of<G>(x_of<G>(a.first), x_of<G>(a.second));
-    const Pair<G> row_y = pair_of<G>(y_of<G>(a.first), y_of<G>(a.second));
-    const Pair<G> lx = inverse * row_x, ly = inverse * row_y;  // rows of L_jk
-    const Pair<G> xx = both<G>(x_of<G>(lx)), xy = both<G>(y_of<G>(lx));
-    const Pair<G> yx = both<G>(x_of<G>(ly)), yy = both<G>(y_of<G>(ly));
-    for (Index p = at; p < view.begin[k + 1]; ++p) {
-      double* to = view.blocks + std::size_t{kBlock<G>} * positions[view.row[p]];
-      const Block<G> below = Block<G>::load(view.blocks + std::size_t{kBlock<G>} * p);
-      Block<G> b = Block<G>::load(to);
-      b.first = b.first - below.first * xx - below.second * xy;
-      b.second = b.second - below.first * yx - below.second * yy;
-      b.store(to);
+    const RowEntry& entry = view.row_entries[r];
+    const Crossing<G> crossing(view, entry);
+    const Index count = view.begin[entry.column + 1] - entry.block;
+    const double* below = view.blocks + std::size_t{kBlock<G>} * entry.block;
+    if (view.twin[entry.column] && entry.column + 1 < j) {
+      const RowEntry& twin = view.row_entries[++r];
+      const Crossing<G> also(view, twin);
+      const double* second = view.blocks + std::size_t{kBlock<G>} * twin.block;
+      for (Index p = 0; p < count; ++p) {
+        double* to = view.blocks + std::size_t{kBlock<G>} * positions[view.row[entry.block + p]];
+        Block<G> b = Block<G>::load(to);
+        crossing.take(b, Block<G>::load(below + std::size_t{kBlock<G>} * p));
+        also.take(b, Block<G>::load(second + std::size_t{kBlock<G>} * p));
+        b.store(to);
+      }
+    } else {
+      for (Index p = 0; p < count; ++p) {
+        double* to = view.blocks + std::size_t{kBlock<G>} * positions[view.row[entry.block + p]];
+        Block<G> b = Block<G>::load(to);
+        crossing.take(b, Block<G>::load(below + std::size_t{kBlock<G>} * p));
+        b.store(to);
+      }
     }
   }
 }
@@ -600,11 +628,12 @@ LanePrice price(const LaneView& view, const double* row, double change) {
   const Lane<G> factor = Lane<G>::all(change) / sigma;
   const Lane<G> r = Lane<G>::load(row + G);
   Lane<G> sum = Lane<G>::all(0.0);
-  for (Index s = 0; s < view.slots; ++s) {
-    const double* at = row + (2 + 2 * s) * G;
+  const double *at = row + 2 * G, *end = at + 2 * G * view.slots;
+  do {
     const Lane<G> alpha = factor * Lane<G>::load(at + G);
     sum = sum + alpha * (alpha * r - Lane<G>::load(at) * 2.0);
-  }
+    at += 2 * G;
+  } while (at != end);
   return {sum.sum(), sigma.positive()};
 }
 

@@ -57,6 +57,7 @@ ElasticMoves::ElasticMoves(const ElasticModel& model)
       x_(model.parameters.size()),
       stiffness_(model.parameters.springs()),
       interval_(kFirstInterval) {
+  for (std::size_t i = 0; i < x_.size(); ++i) springs_.push_back(model.parameters.springs_of(i));
   if (const std::string& forced = model.scene.moves.form; forced != "auto")
     use(form_named(forced), "asked for");
   else
@@ -109,6 +110,8 @@ Evaluation ElasticMoves::reset(std::span<const double> x) {
 }
 
 Evaluation ElasticMoves::propose(std::size_t i, double value) {
+  if (i >= springs_.size()) [[unlikely]]
+    throw std::out_of_range("Moves::propose: no such coordinate");
   acceptable_ = false;
   const double stiffness = std::exp(value);
   if (!usable_stiffness(stiffness)) [[unlikely]]
@@ -118,7 +121,7 @@ Evaluation ElasticMoves::propose(std::size_t i, double value) {
     review();
   changed_ = i;
   proposed_x_ = value;
-  change_.springs = model_.parameters.springs_of(i);
+  change_.springs = springs_[i];
   change_.stiffness = stiffness;
   change_.delta = stiffness - stiffness_[change_.springs.front()];
   const Priced priced = form_->price(change_);

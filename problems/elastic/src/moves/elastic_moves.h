@@ -16,6 +16,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "moves/cost_model.h"
@@ -53,6 +54,7 @@ class ElasticMoves final : public Moves {
   Form form_kind_ = Form::full;
   Work past_;  // of forms that were left
 
+  std::vector<std::span<const std::size_t>> springs_;  // by coordinate, at hand for the hot path
   std::vector<double> x_, stiffness_;
   double squared_ = 0.0;  // G² of the point
   // The last proposal.

@@ -40,13 +40,16 @@ bool TableForm::reset(std::span<const double> stiffness, const FullEvaluation& s
 
 Priced TableForm::price(const Change& change) {
   const std::size_t e = change.springs.front();
-  double squared = squared_;
-  for (const List& list : lists_) {
-    const LanePrice price = list.price(*list.view, list.rows + list.stride * e, change.delta);
-    if (!price.possible) [[unlikely]]
-      return {Status::not_positive_definite, 0.0};
-    squared += price.change;
+  // Nearly always all support groups fit into one list.
+  const List& first = lists_.front();
+  LanePrice price = first.price(*first.view, first.rows + first.stride * e, change.delta);
+  for (std::size_t s = 1; s < lists_.size() && price.possible; ++s) {
+    const LanePrice more = lists_[s].price(*lists_[s].view, lists_[s].rows + lists_[s].stride * e, change.delta);
+    price = {price.change + more.change, more.possible};
   }
+  if (!price.possible) [[unlikely]]
+    return {Status::not_positive_definite, 0.0};
+  const double squared = squared_ + price.change;
   if (!(squared > kCancelling * squared_)) [[unlikely]]
     return price_in_full(change);
   priced_ = squared;
