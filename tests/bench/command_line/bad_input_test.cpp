@@ -224,7 +224,7 @@ const BadCall kBadCalls[] = {
      "--problem: no problem of the study is labelled 'plates'; valid: 'elastic'"},
     {"UnknownMethod",
      {"fit", "quick.toml", "--with", "anneal"},
-     "--with: 'anneal' is neither a label of the study nor an optimizer; did you mean 'annealing'?"},
+     "--with: 'anneal' is neither a label of the study nor an optimizer; did you mean 'annealing' or 'annealing-adaptive'?"},
     {"UnwritableExport",
      {"fit", "quick.toml", "--export", "no/where/fit.json"},
      "--export: cannot write 'no/where/fit.json'; give a file in a folder that exists and may be written"},
