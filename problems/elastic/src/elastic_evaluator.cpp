@@ -21,7 +21,6 @@ void require_size(std::size_t actual, std::size_t wanted, const char* what) {
 
 ElasticEvaluator::ElasticEvaluator(const ElasticModel& model)
     : model_(model),
-      full_(model),
       by_lanes_(values_by_lanes(model)),
       x_(model.parameters.size()),
       stiffness_(model.parameters.springs()),
@@ -36,16 +35,21 @@ Evaluation ElasticEvaluator::evaluate_stiffness(bool refined) {
   if (!refined && solve_by_lanes(squared)) {
     solver_ = lanes_.get();
   } else {
-    const Status status = full_.solve(stiffness_, refined);
-    if (refined) health_ = full_.health();
+    const Status status = full().solve(stiffness_, refined);
+    if (refined) health_ = full_->health();
     if (status != Status::ok) return {status, 0.0};
-    squared = full_.squared();
-    solver_ = &full_;
+    squared = full_->squared();
+    solver_ = full_.get();
   }
   at_point_ = true;
   refined_ = refined;
   cost_ = model_.cost(squared);
   return {Status::ok, cost_};
+}
+
+FullEvaluation& ElasticEvaluator::full() {
+  if (!full_) full_ = std::make_unique<FullEvaluation>(model_);
+  return *full_;
 }
 
 bool ElasticEvaluator::solve_by_lanes(double& squared) {
@@ -82,7 +86,7 @@ Evaluation ElasticEvaluator::solve_refined(std::span<const double> stiffness, st
   std::ranges::copy(stiffness, stiffness_.begin());
   const Evaluation result = evaluate_stiffness(true);
   at_point_ = false;  // there need not be an x for these stiffnesses
-  if (!result.ok()) message = full_.describe(result.status);
+  if (!result.ok()) message = full().describe(result.status);
   return result;
 }
 
@@ -154,7 +158,8 @@ Moves* ElasticEvaluator::moves() {
 }
 
 Work ElasticEvaluator::work() const {
-  Work total = full_.work();
+  Work total;
+  if (full_) total += full_->work();
   if (lanes_) total += lanes_->work();
   if (moves_) total += moves_->work();
   return total;

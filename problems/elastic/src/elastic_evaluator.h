@@ -47,18 +47,19 @@ class ElasticEvaluator final : public Evaluator {
 
   /// The same by stiffnesses, which bounds and parameters don't restrict: refined. `message` says what is wrong.
   Evaluation solve_refined(std::span<const double> stiffness, std::string& message);
-  [[nodiscard]] Equilibrium& equilibrium(std::size_t group) { return full_.group(group); }
+  [[nodiscard]] Equilibrium& equilibrium(std::size_t group) { return full().group(group); }
 
  private:
   Evaluation evaluate(std::span<const double> x, bool refined);
   Evaluation evaluate_stiffness(bool refined);
   void require_point() const;
   bool solve_by_lanes(double& squared);
+  FullEvaluation& full();
 
   const ElasticModel& model_;
-  FullEvaluation full_;
   bool by_lanes_;
-  std::unique_ptr<LaneEvaluation> lanes_;  // made at the first value
+  std::unique_ptr<LaneEvaluation> lanes_;  // both made when first needed: a race may never need CHOLMOD's factors
+  std::unique_ptr<FullEvaluation> full_;
   PointDerivatives* solver_ = nullptr;     // the one of the two that solved for the point
   std::vector<double> x_, stiffness_, by_spring_;
   bool at_point_ = false;  // x_, factors and displacements belong to one successful evaluation

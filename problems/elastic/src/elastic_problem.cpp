@@ -33,6 +33,8 @@ struct ElasticProblem::Data {
       coordinates.push_back({model.parameters.name(i), lower, upper, inside});
     }
     space = Space(coordinates);
+    // Part of the problem where values need it: trials, each in a process of its own, must not pay for it again.
+    if (values_by_lanes(model)) (void)model.lanes();
   }
 
   ElasticModel model;
