@@ -21,7 +21,6 @@ class AdaptiveWalk {
   AdaptiveWalk(Meter& meter, MeteredMoves& moves, double quality, const AdaptiveSettings& settings, RandomStream& random)
       : meter_(meter),
         moves_(moves),
-        settings_(settings),
         random_(random),
         quality_(quality),
         best_(quality),
@@ -76,7 +75,6 @@ class AdaptiveWalk {
  private:
   Meter& meter_;
   MeteredMoves& moves_;
-  const AdaptiveSettings& settings_;
   RandomStream& random_;
   double quality_, best_;
   std::vector<double> best_point_, steps_;
