@@ -10,7 +10,7 @@ namespace nodal::elastic {
 
 namespace {
 
-// In block units, by fitting docs/performance.md's table. Only their ratios matter.
+// In block units, estimated from timings of the kernels. Only their ratios matter.
 constexpr double kListedPrice = 15.0;     // a proposal from the price list, call included
 constexpr double kCall = 60.0;            // entering a solve: clearing vectors, first cache lines
 constexpr double kListedSpring = 2.5;     // one row of the price list brought up to date

@@ -21,7 +21,7 @@ namespace {
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 constexpr double kTolerance = 1e-9;  // of G², what the walk's own value may be off by
 constexpr std::int64_t kFirstInterval = 1024, kLongestInterval = 65536, kShortestInterval = 64;
-constexpr double kStiffChange = 1e6;  // LIBRARIES' limit for updating a factor: 1 → 1e12 → 1 leaves 4e-6
+constexpr double kStiffChange = 1e6;  // an updated factor loses digits with the change: 1 → 1e12 → 1 leaves 4e-6
 constexpr std::int64_t kReviewEvery = 64;
 constexpr std::size_t kMostChoices = 32;
 
