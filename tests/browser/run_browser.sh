@@ -78,7 +78,7 @@ run() {  # name, window size, page, what to do
 expect() {
   if ! grep -q "$expected" "$out/$1.dom"; then
     echo "expected ($1): $expected" >&2
-    echo "found: $(grep -o 'PROBE[^<`]*' "$out/$1.dom" | tail -1)" >&2
+    echo "found: $(grep -o '<title>[^<]*' "$out/$1.dom" | head -1)" >&2
     exit 1
   fi
 }
