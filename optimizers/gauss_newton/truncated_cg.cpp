@@ -8,8 +8,7 @@
 
 namespace nodal::gauss_newton {
 
-TruncatedCg::TruncatedCg(Meter& meter, const CgSettings& settings)
-    : meter_(meter), settings_(settings), seen_(settings.pairs), used_(settings.pairs) {
+TruncatedCg::TruncatedCg(Meter& meter, std::size_t pairs) : meter_(meter), seen_(pairs), used_(pairs) {
   for (std::vector<double>* v : {&gradient_, &last_gradient_, &free_gradient_, &scaled_, &d_, &change_})
     v->resize(meter.space().size());
   for (std::vector<double>* v : {&jd_, &j_change_}) v->resize(meter.residual_count());
@@ -30,7 +29,7 @@ void TruncatedCg::begin(std::span<const double> residuals, std::span<const doubl
 }
 
 Status TruncatedCg::solve(std::span<const double> residuals, std::span<const double> gradient, const Box& box,
-                          Step& step) {
+                          const CgLimits& limits, Step& step) {
   begin(residuals, gradient, box, step);
   const double start = dot(residuals, residuals);
   double gained = 0.0;
@@ -47,7 +46,7 @@ Status TruncatedCg::solve(std::span<const double> residuals, std::span<const dou
     ++step.iterations;
     const double total = start - dot(step.residuals, step.residuals);
     const double gain = total - std::exchange(gained, total);
-    if (step.iterations >= settings_.max_iterations || step.iterations * gain <= settings_.tolerance * total)
+    if (step.iterations >= limits.max_iterations || step.iterations * gain <= limits.tolerance * total)
       return Status::ok;
     if (const Status status = renew_gradient(step, inside); status != Status::ok) return status;
   }
@@ -108,7 +107,7 @@ Status TruncatedCg::renew_gradient(const Step& step, bool remember) {
   std::swap(gradient_, last_gradient_);
   const Status status = meter_.jacobian_transposed_product(step.residuals, gradient_);
   if (!remember) slope_ = 0.0;
-  if (status != Status::ok || !remember || settings_.pairs == 0) return status;
+  if (status != Status::ok || !remember) return status;
   for (std::size_t i = 0; i < d_.size(); ++i) {
     scaled_[i] = length_ * d_[i];
     change_[i] = gradient_[i] - last_gradient_[i];

@@ -20,10 +20,9 @@
 
 namespace nodal::gauss_newton {
 
-struct CgSettings {
-  int max_iterations = 10;
-  double tolerance = 0.1;
-  std::size_t pairs = 5;
+struct CgLimits {
+  int max_iterations;
+  double tolerance;
 };
 
 /// Where p may lie.
@@ -40,12 +39,13 @@ struct Step {
 
 class TruncatedCg {
  public:
-  TruncatedCg(Meter& meter, const CgSettings& settings);
+  /// `pairs`: directions of earlier steps that precondition (curvature_pairs.h).
+  TruncatedCg(Meter& meter, std::size_t pairs);
 
   /// From p = 0 at the meter's last point, where `gradient` is Jᵀr. Another status than ok: a product failed or the
   /// budget is spent; the step is as good as it was by then.
   [[nodiscard]] Status solve(std::span<const double> residuals, std::span<const double> gradient, const Box& box,
-                             Step& step);
+                             const CgLimits& limits, Step& step);
 
  private:
   void begin(std::span<const double> residuals, std::span<const double> gradient, const Box& box, Step& step);
@@ -55,7 +55,6 @@ class TruncatedCg {
   [[nodiscard]] Status renew_gradient(const Step& step, bool remember);
 
   Meter& meter_;
-  CgSettings settings_;
   CurvaturePairs seen_, used_;  // collected for the next solve; in use during this one
   std::vector<double> gradient_, last_gradient_, free_gradient_;
   std::vector<double> scaled_, d_, jd_, change_, j_change_;
