@@ -3,10 +3,9 @@
 
 /// An approximation of (JᵀJ)⁻¹ from what earlier conjugate gradients saw: pairs s, y = JᵀJ s, combined as L-BFGS does.
 ///
-/// It needs nothing of the problem and is symmetric positive definite whatever the pairs. A few suffice and more do
+/// It needs nothing of the problem and is symmetric positive definite whatever the pairs. One suffices and more do
 /// harm: what they resolve is taken at full length, also what only the linear model wants (100 × 100 plate, G after
-/// 18 s: 2.8 without pairs, 2.0 with 5, 2.4 with 20; 30 × 30, 50 conjugate gradients, after 3 s: 1.00 without, 1.25
-/// with 30, 1.6 with 60).
+/// 150 steps: 1.025 without, 0.969 with 1, 0.976 with 2, 0.978 with 3).
 ///
 /// Cost     2 passes over all pairs per application; memory: 2 vectors per pair.
 /// Source   J. Morales, J. Nocedal, SIAM J. Optimization 10(4), 2000.

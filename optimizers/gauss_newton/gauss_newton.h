@@ -36,7 +36,7 @@ struct Settings {
   CgLimits early = {10, 0.1};     ///< of a step's conjugate gradients, at first
   CgLimits late = {40, 0.02};     ///< from the first step on that promises less than 5 % of the cost
   int correction_iterations = 8;  ///< conjugate gradients of a second-order correction; 0 for none
-  std::size_t pairs = 5;          ///< directions that precondition
+  std::size_t pairs = 1;          ///< directions that precondition
 };
 
 class GaussNewton final : public Optimizer {
