@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// The four numbers per spring: made, read, kept exact after an accepted change.
+// Part of lane_kernels.inl, which says how it is compiled.
+
+#include "lane_solves.inl"
+
+namespace nodal::elastic::NODAL_LANE_NAMESPACE {
+
+namespace {
+
+template <int G>
+LanePrice price(const LaneView& view, const double* row, double change) {
+  const Lane<G> sigma = Lane<G>::all(1.0) + Lane<G>::load(row) * change;
+  const Lane<G> factor = Lane<G>::all(change) / sigma;
+  const Lane<G> r = Lane<G>::load(row + G);
+  Lane<G> sum = Lane<G>::all(0.0);
+  const double *at = row + 2 * G, *end = at + 2 * G * view.slots;
+  do {
+    const Lane<G> alpha = factor * Lane<G>::load(at + G);
+    sum = sum + alpha * (alpha * r - Lane<G>::load(at) * 2.0);
+    at += 2 * G;
+  } while (at != end);
+  return {sum.sum(), sigma.positive()};
+}
+
+template <int G>
+void fill_row(const LaneView& view, Index spring, const double* z, const double* u, double* row) {
+  const LaneSpring& s = view.spring[spring];
+  const std::size_t size = std::size_t{kPair<G>} * view.nodes;
+  elongation<G>(s, z).store(row);
+  Pair<G> r = Pair<G>::all(0.0);
+  for (Index j = 0, at = 0; j < view.nodes; ++j, at += kPair<G>) {
+    const Pair<G> here = Pair<G>::load(z + at);
+    r = r + here * here * Pair<G>::load(view.weight + at);
+  }
+  (x_of<G>(r) + y_of<G>(r)).store(row + G);
+  for (Index slot = 0; slot < view.slots; ++slot) {
+    const double *load = u + slot * size, *reference = view.reference + slot * size;
+    Pair<G> t = Pair<G>::all(0.0);
+    for (Index j = 0, at = 0; j < view.nodes; ++j, at += kPair<G>)
+      t = t + Pair<G>::load(z + at) * Pair<G>::load(view.weight + at) *
+                  (Pair<G>::load(load + at) - Pair<G>::load(reference + at));
+    (x_of<G>(t) + y_of<G>(t)).store(row + (2 + 2 * slot) * G);
+    elongation<G>(s, load).store(row + (3 + 2 * slot) * G);
+  }
+}
+
+// b_e·u in both halves of a pair.
+template <int G>
+inline Pair<G> elongations(const LaneSpring& s, const double* u) {
+  const Pair<G> d = Pair<G>::load(u + kPair<G> * s.high) - Pair<G>::load(u + kPair<G> * s.low);
+  return both<G>(x_of<G>(d)) * s.dx + both<G>(y_of<G>(d)) * s.dy;
+}
+
+// A row of the list is read as pairs (Q, R) and (t, v), so that one register takes two of the four updates.
+template <int G>
+void update_table(const LaneView& view, Index spring, double change, double* table) {
+  const std::size_t stride = table_stride(view.slots, G);
+  // The changed spring's own row changes with the others: keep it as it was.
+  const double* own = table + stride * spring;
+  const Lane<G> zero = Lane<G>::all(0.0), q_own = Lane<G>::load(own), r_own = Lane<G>::load(own + G);
+  const Lane<G> kappa = (Lane<G>::all(1.0) + q_own * change) / Lane<G>::all(change);
+  const Pair<G> kappa_r = pair_of<G>(kappa, r_own), zero_kappa = pair_of<G>(zero, kappa * 2.0);
+  Pair<G> t_v[kMostListedSlots], v_zero[kMostListedSlots];
+  for (Index slot = 0; slot < view.slots; ++slot) {
+    t_v[slot] = Pair<G>::load(own + (2 + 2 * slot) * G);
+    v_zero[slot] = pair_of<G>(y_of<G>(t_v[slot]), zero);
+  }
+  for (Index e = 0; e < view.springs; ++e) {
+    double* row = table + stride * e;
+    const Pair<G> q = elongations<G>(view.spring[e], view.z), rho = elongations<G>(view.spring[e], view.y);
+    (Pair<G>::load(row) - (kappa_r * q + zero_kappa * rho) * q).store(row);
+    for (Index slot = 0; slot < view.slots; ++slot) {
+      double* at = row + (2 + 2 * slot) * G;
+      (Pair<G>::load(at) - t_v[slot] * q - v_zero[slot] * rho).store(at);
+    }
+  }
+}
+
+}  // namespace
+
+}  // namespace nodal::elastic::NODAL_LANE_NAMESPACE

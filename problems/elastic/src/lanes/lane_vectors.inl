@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// Numbers of all groups in registers: lanes, pairs (x, y) and 2×2 blocks.
+// Part of lane_kernels.inl, which says how it is compiled.
+
+#include "lane_kernels.h"
+
+namespace nodal::elastic::NODAL_LANE_NAMESPACE {
+
+namespace {
+
+using Index = std::uint32_t;
+
+template <int W>
+struct Register {
+  typedef double type __attribute__((vector_size(8 * W), aligned(8 * W), may_alias));
+};
+template <>
+struct Register<1> {
+  using type = double;
+};
+
+constexpr int smaller(int a, int b) { return a < b ? a : b; }
+
+// N numbers in as few registers as this instruction set allows.
+template <int N>
+struct Numbers {
+  static constexpr int kWidth = smaller(N, NODAL_LANE_WIDTH);
+  static constexpr int kParts = N / kWidth;
+  using Vector = typename Register<kWidth>::type;
+  Vector v[kParts];
+
+  static Numbers load(const double* at) {
+    Numbers n;
+    for (int p = 0; p < kParts; ++p) n.v[p] = *reinterpret_cast<const Vector*>(at + p * kWidth);
+    return n;
+  }
+  void store(double* at) const {
+    for (int p = 0; p < kParts; ++p) *reinterpret_cast<Vector*>(at + p * kWidth) = v[p];
+  }
+  static Numbers all(double value) {
+    Numbers n;
+    for (int p = 0; p < kParts; ++p) n.v[p] = value - Vector{};
+    return n;
+  }
+  double operator[](int i) const {
+    if constexpr (kWidth == 1)
+      return v[i];
+    else
+      return v[i / kWidth][i % kWidth];
+  }
+  double sum() const {
+    Vector total = v[0];
+    for (int p = 1; p < kParts; ++p) total += v[p];
+    if constexpr (kWidth == 1) {
+      return total;
+    } else if constexpr (kWidth == 2) {
+      return total[0] + total[1];
+    } else if constexpr (kWidth == 4) {
+      return (total[0] + total[2]) + (total[1] + total[3]);
+    } else {
+      return ((total[0] + total[4]) + (total[2] + total[6])) + ((total[1] + total[5]) + (total[3] + total[7]));
+    }
+  }
+  bool positive() const {
+    bool all_are = true;
+    for (int i = 0; i < N; ++i) all_are = all_are & ((*this)[i] > 0.0);
+    return all_are;
+  }
+};
+
+template <int N>
+Numbers<N> operator+(Numbers<N> a, const Numbers<N>& b) {
+  for (int p = 0; p < Numbers<N>::kParts; ++p) a.v[p] += b.v[p];
+  return a;
+}
+template <int N>
+Numbers<N> operator-(Numbers<N> a, const Numbers<N>& b) {
+  for (int p = 0; p < Numbers<N>::kParts; ++p) a.v[p] -= b.v[p];
+  return a;
+}
+template <int N>
+Numbers<N> operator*(Numbers<N> a, const Numbers<N>& b) {
+  for (int p = 0; p < Numbers<N>::kParts; ++p) a.v[p] *= b.v[p];
+  return a;
+}
+template <int N>
+Numbers<N> operator/(Numbers<N> a, const Numbers<N>& b) {
+  for (int p = 0; p < Numbers<N>::kParts; ++p) a.v[p] /= b.v[p];
+  return a;
+}
+template <int N>
+Numbers<N> least(Numbers<N> a, const Numbers<N>& b) {
+  for (int p = 0; p < Numbers<N>::kParts; ++p) a.v[p] = a.v[p] < b.v[p] ? a.v[p] : b.v[p];
+  return a;
+}
+template <int N>
+Numbers<N> operator*(Numbers<N> a, double b) {
+  for (int p = 0; p < Numbers<N>::kParts; ++p) a.v[p] *= b;
+  return a;
+}
+
+template <int G>
+using Lane = Numbers<G>;
+template <int G>
+using Pair = Numbers<2 * G>;
+
+// The x of a pair; the y; both the same.
+template <int G>
+Lane<G> x_of(const Pair<G>& p) {
+  Lane<G> a;
+  if constexpr (Pair<G>::kParts > 1) {
+    for (int i = 0; i < Lane<G>::kParts; ++i) a.v[i] = p.v[i];
+  } else if constexpr (G == 1) {
+    a.v[0] = p.v[0][0];
+  } else if constexpr (G == 2) {
+    a.v[0] = __builtin_shufflevector(p.v[0], p.v[0], 0, 1);
+  } else {
+    a.v[0] = __builtin_shufflevector(p.v[0], p.v[0], 0, 1, 2, 3);
+  }
+  return a;
+}
+template <int G>
+Lane<G> y_of(const Pair<G>& p) {
+  Lane<G> a;
+  if constexpr (Pair<G>::kParts > 1) {
+    for (int i = 0; i < Lane<G>::kParts; ++i) a.v[i] = p.v[Lane<G>::kParts + i];
+  } else if constexpr (G == 1) {
+    a.v[0] = p.v[0][1];
+  } else if constexpr (G == 2) {
+    a.v[0] = __builtin_shufflevector(p.v[0], p.v[0], 2, 3);
+  } else {
+    a.v[0] = __builtin_shufflevector(p.v[0], p.v[0], 4, 5, 6, 7);
+  }
+  return a;
+}
+template <int G>
+Pair<G> pair_of(const Lane<G>& x, const Lane<G>& y) {
+  Pair<G> p;
+  if constexpr (Pair<G>::kParts > 1) {
+    for (int i = 0; i < Lane<G>::kParts; ++i) {
+      p.v[i] = x.v[i];
+      p.v[Lane<G>::kParts + i] = y.v[i];
+    }
+  } else if constexpr (G == 1) {
+    p.v[0] = typename Pair<1>::Vector{x.v[0], y.v[0]};
+  } else if constexpr (G == 2) {
+    p.v[0] = __builtin_shufflevector(x.v[0], y.v[0], 0, 1, 2, 3);
+  } else {
+    p.v[0] = __builtin_shufflevector(x.v[0], y.v[0], 0, 1, 2, 3, 4, 5, 6, 7);
+  }
+  return p;
+}
+template <int G>
+Pair<G> both(const Lane<G>& a) {
+  return pair_of<G>(a, a);
+}
+
+// A 2×2 block per group by its columns.
+template <int G>
+struct Block {
+  Pair<G> first, second;
+
+  static Block load(const double* at) { return {Pair<G>::load(at), Pair<G>::load(at + 2 * G)}; }
+  void store(double* at) const {
+    first.store(at);
+    second.store(at + 2 * G);
+  }
+};
+
+template <int G>
+Pair<G> operator*(const Block<G>& b, const Pair<G>& x) {
+  return b.first * both<G>(x_of<G>(x)) + b.second * both<G>(y_of<G>(x));
+}
+
+template <int G>
+constexpr Index kPair = 2 * G;
+template <int G>
+constexpr Index kBlock = 4 * G;
+
+}  // namespace
+
+}  // namespace nodal::elastic::NODAL_LANE_NAMESPACE
