@@ -15,14 +15,22 @@ namespace {
 
 template <int G>
 constexpr LaneKernels kKernels = {
-    .factorize = factorize<G>,         .solve = solve<G>,
-    .solve_spring = solve_spring<G>,   .solve_loads = solve_loads<G>,
-    .correct = correct<G>,             .weighted_error = weighted_error<G>,
-    .adjoint = adjoint<G>,             .product = product<G>,
-    .squared_error = squared_error<G>, .displace = displace<G>,
-    .displace_one = displace_one<G>,   .change_factor = change_factor<G>,
-    .price = price<G>,                 .fill_row = fill_row<G>,
-    .change_and_solve = change_and_solve<G>, .update_table = update_table<G>,
+    .factorize = factorize<G>,
+    .solve = solve<G>,
+    .solve_spring = solve_spring<G>,
+    .solve_loads = solve_loads<G>,
+    .correct = correct<G>,
+    .weighted_error = weighted_error<G>,
+    .adjoint = adjoint<G>,
+    .product = product<G>,
+    .squared_error = squared_error<G>,
+    .displace = displace<G>,
+    .displace_one = displace_one<G>,
+    .change_factor = change_factor<G>,
+    .price = price<G>,
+    .fill_row = fill_row<G>,
+    .change_and_solve = change_and_solve<G>,
+    .update_table = update_table<G>,
 };
 
 }  // namespace
