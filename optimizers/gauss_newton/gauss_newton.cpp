@@ -121,7 +121,7 @@ std::string Run::iterate() {
 }
 
 // Takes the step, corrected where that is needed, or the first shorter one that keeps enough of what it promises.
-// However it is left, the meter's last point is the one it is at, as products need it.
+// The meter's last point is then the one taken, as the next products need it.
 bool Run::search() {
   const double slope = dot(gradient_, step_.p), curved = curvature(), whole = longest();
   for (double length = 1.0; length * whole > kSmallestRadius && !meter_.spent(); length *= kShorter) {

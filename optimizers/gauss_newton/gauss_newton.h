@@ -3,8 +3,8 @@
 
 /// Gauss-Newton without a matrix: a trust region whose steps truncated conjugate gradients find.
 ///
-/// Each iteration asks for the residuals once and for a few dozen products with J and Jᵀ, and keeps a dozen vectors:
-/// what it costs grows as the problem's own solves do, so it goes where a dense Jacobian can't.
+/// Each iteration asks for the residuals once and for up to a hundred products with J and Jᵀ, and keeps some twenty
+/// vectors: what it costs grows as the problem's own solves do, so it goes where a dense Jacobian can't.
 ///
 /// The region is a box, `radius` times the width of the space's, cut by its bounds. It grows where the model holds at
 /// its sides; where the cost doesn't fall, the step is taken shorter and the region with it.
@@ -14,7 +14,7 @@
 /// change the residuals by a smooth second-order term that can outweigh what the step gains. So where the model didn't
 /// hold, a few conjugate gradients from the trial point take that term away before the step is judged (a second-order
 /// correction). Without it the region would shrink around steps that are fine: on the 100 × 100 plate 40 conjugate
-/// gradients per step were then slower than 10; with it they reach the end in 0.8 of the time.
+/// gradients per step were then slower than 10, with it they are faster (docs/performance.md).
 ///
 /// Before the first step the start is moved by up to `jitter` in each coordinate, always the same way: where a start is
 /// symmetric, the gradient is, too, and a better point that isn't is found by rounding only. On the 100 × 100 plate,

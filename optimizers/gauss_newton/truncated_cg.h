@@ -20,9 +20,10 @@
 
 namespace nodal::gauss_newton {
 
+/// When a step's conjugate gradients stop.
 struct CgLimits {
-  int max_iterations;
-  double tolerance;
+  int max_iterations;  ///< two products each
+  double tolerance;    ///< of the last gain against the mean one, as above
 };
 
 /// Where p may lie.
