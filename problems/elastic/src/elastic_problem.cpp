@@ -115,8 +115,8 @@ std::vector<Stage> ElasticProblem::stages() const {
   const bool supernodal = std::ranges::any_of(model.groups, [](const auto& g) { return g->pattern().supernodal(); });
   return {
       {"body", true,
-       fmt::format("rectangle {} × {}, thickness {}", s.net.body.size[0], s.net.body.size[1], s.net.body.thickness)},
-      {"points", true, fmt::format("grid of {} × {} nodes", s.net.grid.columns, s.net.grid.rows)},
+       fmt::format("{}, thickness {}", s.net.body.name, s.net.body.thickness)},
+      {"points", true, s.net.layout},
       {"iterated Voronoi regions", false, "the points lie on a grid"},
       {"springs", true, fmt::format("{}, {} springs", s.net.topology, s.net.springs.size())},
       {"Delaunay triangulation", false, "the grid's topology says which nodes are joined"},

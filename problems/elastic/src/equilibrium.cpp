@@ -108,7 +108,7 @@ EquilibriumGroup::EquilibriumGroup(const Scene& scene, std::size_t group, double
       fixed_(fixed_freedoms(scene, scene.loads.groups[group])),
       free_(static_cast<std::size_t>(std::ranges::count(fixed_, false))),
       pattern_(free_, couplings(scene, fixed_), factorization_of(scene.solver)) {
-  place_freedoms(scene);
+  place_freedoms(scene, group);
   gather_terms(scene);
   place_loads(scene, group);
 }
@@ -126,7 +126,7 @@ void EquilibriumGroup::place_loads(const Scene& scene, std::size_t group) {
   }
 }
 
-void EquilibriumGroup::place_freedoms(const Scene& scene) {
+void EquilibriumGroup::place_freedoms(const Scene& scene, std::size_t group) {
   const std::size_t count = fixed_.size();
   const std::vector<std::size_t> unknown = unknown_of(fixed_);
   place_.resize(count);
@@ -145,7 +145,7 @@ void EquilibriumGroup::place_freedoms(const Scene& scene) {
   }
   weights_.assign(count, 0.0);
   for (std::size_t i = 0; i < count; ++i) {
-    if (!fixed_[i]) weights_[place_[i]] = scene.weight_of(i / 2);
+    if (!fixed_[i]) weights_[place_[i]] = scene.weight_of(i / 2) * scene.loads.groups[group].weight(i);
   }
 }
 

@@ -108,7 +108,7 @@ class EquilibriumGroup {
     double factor;
   };
 
-  void place_freedoms(const Scene& scene);
+  void place_freedoms(const Scene& scene, std::size_t group);
   void gather_terms(const Scene& scene);
   void place_loads(const Scene& scene, std::size_t group);
 

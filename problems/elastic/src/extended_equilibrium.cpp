@@ -144,9 +144,12 @@ class ExtendedGroup {
   std::vector<double> held_;
 };
 
-double weight_of(const Scene& scene, std::size_t node) {
-  if (scene.net.on_corner(node)) return scene.weights.corner;
-  return scene.net.on_border(node) ? scene.weights.border : scene.weights.inner;
+double weight_of(const Scene& scene, std::size_t group, std::size_t freedom) {
+  const std::size_t node = freedom / 2;
+  const double of_node = scene.net.on_corner(node)   ? scene.weights.corner
+                         : scene.net.on_border(node) ? scene.weights.border
+                                                     : scene.weights.inner;
+  return of_node * scene.loads.groups[group].weight(freedom);
 }
 
 bool all_finite(const Scene& scene, std::span<const double> stiffness) {
@@ -174,7 +177,7 @@ std::optional<ExtendedState> solve_extended(const Scene& scene, std::span<const 
       for (std::size_t i = 0; i < displacements[l].size(); ++i) {
         if (group.fixed(i)) continue;
         const Extended wanted = scene.loads.loads[l].reference[i], off = displacements[l][i] - wanted;
-        const double weight = weight_of(scene, i / 2);
+        const double weight = weight_of(scene, g, i);
         misfit += weight * off * off;
         reference += weight * wanted * wanted;
       }

@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
+
+#include <fmt/format.h>
 
 namespace nodal::elastic {
 
@@ -18,8 +21,15 @@ bool falling_diagonal(const std::string& topology, std::size_t column, std::size
   return topology == "crossed" || (topology == "alternating" && (column + row) % 2 == 1);
 }
 
-bool at_end(double coordinate, double lower, double size, double tolerance) {
-  return std::abs(coordinate - lower) <= tolerance || std::abs(coordinate - lower - size) <= tolerance;
+// The upright rectangle that a body is, as lower left and size.
+std::pair<Point, Point> rectangle_of(const Body& body) {
+  if (body.rings.size() == 1 && body.rings[0].size() == 4) {
+    const Ring& r = body.rings[0];
+    if (r[0][1] == r[1][1] && r[1][0] == r[2][0] && r[2][1] == r[3][1] && r[3][0] == r[0][0] && r[0][0] < r[1][0] &&
+        r[1][1] < r[2][1])
+      return {r[0], {r[1][0] - r[0][0], r[2][1] - r[1][1]}};
+  }
+  throw std::invalid_argument("a grid needs a body that is an upright rectangle");
 }
 
 }  // namespace
@@ -34,16 +44,11 @@ const std::vector<Topology>& topologies() {
   return all;
 }
 
-bool Net::on_border(std::size_t node) const {
-  const double tolerance = 1e-9 * std::max(body.size[0], body.size[1]);
-  return at_end(nodes[node][0], body.corner[0], body.size[0], tolerance) ||
-         at_end(nodes[node][1], body.corner[1], body.size[1], tolerance);
-}
-
-bool Net::on_corner(std::size_t node) const {
-  const double tolerance = 1e-9 * std::max(body.size[0], body.size[1]);
-  return at_end(nodes[node][0], body.corner[0], body.size[0], tolerance) &&
-         at_end(nodes[node][1], body.corner[1], body.size[1], tolerance);
+Spring make_spring(const std::vector<Point>& nodes, std::size_t i, std::size_t j) {
+  const std::size_t first = std::min(i, j), second = std::max(i, j);
+  const Point d = {nodes[second][0] - nodes[first][0], nodes[second][1] - nodes[first][1]};
+  const double length = std::hypot(d[0], d[1]);
+  return {first, second, length, {d[0] / length, d[1] / length}};
 }
 
 Net make_grid_net(const Body& body, std::size_t columns, std::size_t rows, const std::string& topology) {
@@ -52,25 +57,22 @@ Net make_grid_net(const Body& body, std::size_t columns, std::size_t rows, const
   if (known == topologies().end() || known->mechanism)
     throw std::invalid_argument("a grid can't be connected by '" + topology + "'");
 
+  const auto [corner, size] = rectangle_of(body);
   Net net;
   net.body = body;
   net.topology = topology;
-  net.grid = {
-      columns, rows, {body.size[0] / static_cast<double>(columns - 1), body.size[1] / static_cast<double>(rows - 1)}};
+  net.layout = fmt::format("grid of {} × {} nodes", columns, rows);
+  net.grid = {columns, rows, {size[0] / static_cast<double>(columns - 1), size[1] / static_cast<double>(rows - 1)}};
   // Shares of the side, not sums of cells, so that the last node lies exactly on the border.
   const auto share = [](std::size_t i, std::size_t count) {
     return static_cast<double>(i) / static_cast<double>(count - 1);
   };
   for (std::size_t row = 0; row < rows; ++row)
     for (std::size_t column = 0; column < columns; ++column)
-      net.nodes.push_back(
-          {body.corner[0] + body.size[0] * share(column, columns), body.corner[1] + body.size[1] * share(row, rows)});
+      net.nodes.push_back({corner[0] + size[0] * share(column, columns), corner[1] + size[1] * share(row, rows)});
+  find_border(net);
 
-  const auto connect = [&net](std::size_t i, std::size_t j) {
-    const Point d = {net.nodes[j][0] - net.nodes[i][0], net.nodes[j][1] - net.nodes[i][1]};
-    const double length = std::hypot(d[0], d[1]);
-    net.springs.push_back({i, j, length, {d[0] / length, d[1] / length}});
-  };
+  const auto connect = [&net](std::size_t i, std::size_t j) { net.springs.push_back(make_spring(net.nodes, i, j)); };
   for (std::size_t row = 0; row < rows; ++row) {
     for (std::size_t column = 0; column < columns; ++column) {
       const std::size_t node = row * columns + column;

@@ -21,7 +21,7 @@ Body read_body(const Options& options) {
     if (!(side > 0.0))
       throw InputError(body.at("size").source,
                        fmt::format("'size' in 'body' has a side of {}; sides must be > 0", side));
-  return {{0.0, 0.0}, {size[0], size[1]}, body.number("thickness")};
+  return rectangle_body({0.0, 0.0}, {size[0], size[1]}, body.number("thickness"));
 }
 
 Material read_material(const Options& options) {

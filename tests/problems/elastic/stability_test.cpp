@@ -29,7 +29,7 @@ std::vector<double> random_stiffness(const Scene& scene, double decades, std::ui
 // Springs of the right half `contrast` times softer.
 std::vector<double> half_soft(const Scene& scene, double contrast) {
   std::vector<double> k(scene.net.springs.size(), 1.0);
-  const double middle = scene.net.body.size[0] / 2;
+  const double middle = bounding_box(scene.net.nodes).width() / 2;
   for (std::size_t e = 0; e < k.size(); ++e) {
     const Spring& s = scene.net.springs[e];
     if (scene.net.nodes[s.first][0] + scene.net.nodes[s.second][0] > 2 * middle) k[e] = 1.0 / contrast;
@@ -133,6 +133,7 @@ TEST(Stability, TheNumberingOfNodesDoesNotMatter) {
   for (std::size_t i = n; i > 1; --i) std::swap(to[i - 1], to[random.index(i)]);
   Scene scene = plate->scene();
   for (std::size_t i = 0; i < n; ++i) scene.net.nodes[to[i]] = plate->net().nodes[i];
+  find_border(scene.net);
   for (Spring& s : scene.net.springs) s.first = to[s.first], s.second = to[s.second];
   for (SupportGroup& group : scene.loads.groups) {
     for (Support& s : group.supports) s.node = to[s.node];

@@ -3,9 +3,12 @@
 
 /// Load cases and supports (paper, Figures 4 and 5), and the body's own displacements under them.
 ///
-/// A uniform traction becomes nodal forces by tributary length, so a corner gets half a cell of each edge it closes.
-/// Loads that share their supports share a support group, and so a factorization.
-/// Shapes   forces, reference: [2 · nodes], x and y of each node after the other.
+/// A homogeneous stress σ pulls at the outline with the traction σ·n. Between neighbours p, q on the outline its
+/// resultant is t ∫ σ·n ds = t σ·(q_y − p_y, p_x − q_x), whatever the outline does between them; half goes to each
+/// node. So on a straight edge a node gets its tributary length, a corner half of a gap on each edge that it closes,
+/// and the forces of all outlines balance, torque included.
+/// Loads that share their supports and what is measured of them share a support group, and so a factorization.
+/// Shapes   forces, reference, weights: [2 · nodes], x and y of each node after the other.
 /// Units    forces N, displacements m.
 
 #include <cstddef>
@@ -22,18 +25,25 @@ struct Support {
   std::size_t node = 0;
   std::size_t axis = 0;
   double value = 0.0;
+
+  friend bool operator==(const Support&, const Support&) = default;
 };
 
 struct LoadCase {
   std::string name;
   std::size_t group = 0;  ///< index of its support group
   std::vector<double> forces;
-  std::vector<double> reference;  ///< displacement of the body
+  std::vector<double> reference;  ///< displacement of the body; 0 where it isn't known
 };
 
 /// Supports in ascending freedom order, each freedom once.
 struct SupportGroup {
   std::vector<Support> supports;
+  /// How much each freedom's reference counts, on top of its node's weight: 0 where nothing is known, and 1 everywhere
+  /// when empty.
+  std::vector<double> weights = {};
+
+  [[nodiscard]] double weight(std::size_t freedom) const { return weights.empty() ? 1.0 : weights[freedom]; }
 };
 
 struct LoadSet {
@@ -43,10 +53,16 @@ struct LoadSet {
 
 enum class SupportStyle {
   edge,     ///< Figure 4: four loads, each with an edge held, four groups
-  minimal,  ///< Figure 5: three loads that balance themselves, rigid motions held at two corners, one group
+  minimal,  ///< Figure 5: three loads that balance themselves, rigid motions held at two nodes, one group
 };
 
-/// The plate loads with their analytic references. `stress` in Pa.
+/// The plate loads on any body, with their references, which are exact for a homogeneous one. `stress` in Pa.
+///
+/// edge     the held edges are those on the left and lower side of the bounding box; everything else feels the stress.
+/// minimal  held are the outline's lowest node (the leftmost of several) in x and y, and in y the one farthest from it
+///          in x (the lowest of several): the two lower corners of a rectangle. The reference is the homogeneous field
+///          plus the small rigid motion that makes it zero there.
+/// std::invalid_argument when an outline has fewer than two nodes, or, for `edge`, a held edge has: says which.
 [[nodiscard]] LoadSet make_plate_loads(const Net& net, const Material& material, double stress, SupportStyle style);
 
 }  // namespace nodal::elastic

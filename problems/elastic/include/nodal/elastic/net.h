@@ -4,24 +4,18 @@
 /// The nodal system: points and the springs between them (paper, section 1). Geometry only; stiffnesses are the
 /// unknowns.
 ///
-/// Grid nodes are numbered row by row from the lower left, x fastest.
 /// Units    metres.
+/// Threads  plain values.
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
+#include <nodal/elastic/body.h>
+
 namespace nodal::elastic {
-
-using Point = std::array<double, 2>;
-
-/// The rectangle that is approximated.
-struct Body {
-  Point corner = {0.0, 0.0};  ///< lower left
-  Point size = {1.0, 1.0};
-  double thickness = 1.0;
-};
 
 /// Spring (i, j) with i < j: rest length L, unit direction d from i to j. b has −d at i and +d at j.
 struct Spring {
@@ -30,10 +24,18 @@ struct Spring {
   Point direction = {0.0, 0.0};
 };
 
+/// The spring between two nodes.
+[[nodiscard]] Spring make_spring(const std::vector<Point>& nodes, std::size_t i, std::size_t j);
+
+enum class NodeKind : std::uint8_t { inner, border, corner };
+
+/// A grid that fills its rectangle: nodes row by row from the lower left, x fastest.
 struct Grid {
-  std::size_t columns = 0, rows = 0;  ///< nodes in x and in y
+  std::size_t columns = 0, rows = 0;  ///< nodes in x and in y; 0 when the nodes are no such grid
   Point cell = {0.0, 0.0};            ///< size of a cell
 };
+
+using Triangle = std::array<std::size_t, 3>;
 
 struct Net {
   Body body;
@@ -41,13 +43,22 @@ struct Net {
   std::string topology;
   std::vector<Point> nodes;
   std::vector<Spring> springs;
+  std::vector<Triangle> triangles;                 ///< counterclockwise, where springs come from a triangulation
+  std::vector<NodeKind> kinds;                     ///< [nodes]; all inner while empty
+  std::vector<std::vector<std::size_t>> outlines;  ///< per ring of the body: the nodes on it, along it
 
-  /// Within 1e-9 of the body's size of its border / of a corner.
-  [[nodiscard]] bool on_border(std::size_t node) const;
-  [[nodiscard]] bool on_corner(std::size_t node) const;
+  /// On the outline or on a hole's, corners included.
+  [[nodiscard]] bool on_border(std::size_t node) const { return !kinds.empty() && kinds[node] != NodeKind::inner; }
+  [[nodiscard]] bool on_corner(std::size_t node) const { return !kinds.empty() && kinds[node] == NodeKind::corner; }
+  /// How nodes were placed, in a phrase: "grid of 5 × 5 nodes".
+  std::string layout;
 };
 
-/// Names of the topologies that a grid can be connected by, with one line each; `grid` is listed as a mechanism.
+/// Fills `kinds` and `outlines` from where the nodes lie: within 1e-9 of the body's size of its border, or of a corner.
+/// Cost     nodes × sides of the outline.
+void find_border(Net& net);
+
+/// Names of the topologies that nodes can be joined by, with one line each; `grid` is listed as a mechanism.
 struct Topology {
   std::string name;
   std::string summary;
@@ -55,8 +66,9 @@ struct Topology {
 };
 [[nodiscard]] const std::vector<Topology>& topologies();
 
-/// Connects a grid of nodes over the body. "single": one diagonal per cell, all the same way; "alternating": one per
-/// cell, chequered; "crossed": both. std::invalid_argument for another name or fewer than 2×2 nodes.
+/// Connects a grid of nodes over a rectangle. "single": one diagonal per cell, all the same way; "alternating": one per
+/// cell, chequered; "crossed": both. std::invalid_argument for another name, fewer than 2×2 nodes, or a body that is no
+/// upright rectangle.
 [[nodiscard]] Net make_grid_net(const Body& body, std::size_t columns, std::size_t rows, const std::string& topology);
 
 }  // namespace nodal::elastic

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+/// The plane body that is approximated: a polygon with holes, of constant thickness.
+///
+/// Rings[0] is the outline, counterclockwise; the others are holes, clockwise: material lies to the left of every side.
+/// A body without rings is one of which only nodes are known: it has no border, no area and no corners.
+/// Units    metres, radians.
+/// Threads  plain values.
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include <nodal/elastic/point.h>
+
+namespace nodal::elastic {
+
+/// A vertex is a corner where the outline turns by more than this, unless a study says otherwise.
+inline constexpr double kDefaultCornerTurn = 30.0 / 180.0 * 3.14159265358979323846;
+
+struct Body {
+  std::string name = "";    ///< for people: "rectangle 4 × 4", "gear.wkt"
+  std::vector<Ring> rings;  ///< [0] the outline, counterclockwise; then holes, clockwise
+  double thickness = 1.0;
+  double corner_turn = kDefaultCornerTurn;
+
+  [[nodiscard]] bool has_outline() const noexcept { return !rings.empty(); }
+};
+
+struct Box {
+  Point low = {0.0, 0.0}, high = {0.0, 0.0};
+
+  [[nodiscard]] double width() const noexcept { return high[0] - low[0]; }
+  [[nodiscard]] double height() const noexcept { return high[1] - low[1]; }
+  /// The larger of both: what tolerances of positions are relative to.
+  [[nodiscard]] double size() const noexcept { return width() > height() ? width() : height(); }
+};
+
+/// The smallest box around points; all zero around none.
+[[nodiscard]] Box bounding_box(const std::vector<Point>& points);
+
+/// A node belongs to a side or corner within this share of the body's size.
+inline constexpr double kOnOutline = 1e-9;
+
+/// ∫ 1, x, y, x², xy, y² dA.
+struct Moments {
+  double area = 0.0;
+  Point first = {0.0, 0.0};
+  double xx = 0.0, xy = 0.0, yy = 0.0;
+};
+
+/// Exact moments of a polygon with holes about `origin`, by Green's formula over its sides; coordinates are taken
+/// relative to the middle of the bounding box while summing, so a body far from the origin loses no digits but those of
+/// its coordinates. Cost     one pass over the sides.
+[[nodiscard]] Moments moments(const std::vector<Ring>& rings, const Point& origin = {0.0, 0.0});
+
+// Shapes. std::invalid_argument for sizes that are not positive or not finite, fewer than 3 sides, or a ring whose hole
+// is not smaller than itself. The rectangle's sides begin at its lower left; a polygon of `sides` sides has its first
+// vertex at (centre + radius, 0) turned by `turn`.
+[[nodiscard]] Body rectangle_body(const Point& corner, const Point& size, double thickness = 1.0);
+[[nodiscard]] Body regular_body(const Point& centre, double radius, std::size_t sides, double turn = 0.0,
+                                double thickness = 1.0);
+/// A disc as a polygon of `sides` sides inscribed in it.
+[[nodiscard]] Body disc_body(const Point& centre, double radius, std::size_t sides, double thickness = 1.0);
+[[nodiscard]] Body ring_body(const Point& centre, double radius, double hole, std::size_t sides,
+                             double thickness = 1.0);
+
+/// True inside the material or within the outline's tolerance of it.
+[[nodiscard]] bool contains(const Body& body, const Point& point);
+
+/// The vertices at which a ring turns by more than `turn`, ascending.
+[[nodiscard]] std::vector<std::size_t> corner_vertices(const Ring& ring, double turn);
+
+}  // namespace nodal::elastic

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <nodal/elastic/loads.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "loads/outline_forces.h"
+
+namespace nodal::elastic {
+
+namespace {
+
+constexpr std::size_t kX = 0, kY = 1;
+
+Stress stretch(std::size_t axis, double stress) {
+  return axis == kX ? Stress{stress, 0.0, 0.0} : Stress{0.0, stress, 0.0};
+}
+Stress shear(double stress) { return {0.0, 0.0, stress}; }
+
+// Builds the cases of one plate. An axis names the edges that it is perpendicular to.
+class PlateLoads {
+ public:
+  PlateLoads(const Net& net, const Material& material, double stress)
+      : net_(net), material_(material), stress_(stress) {
+    for (std::size_t r = 0; r < net.outlines.size(); ++r)
+      if (net.outlines[r].size() < 2)
+        throw std::invalid_argument(fmt::format(
+            "{} has {} on it, so the loads can't pull there: an outline needs at least 2 nodes",
+            r == 0 ? "the outline" : fmt::format("hole {}", r), net.outlines[r].empty() ? "no node" : "only 1 node"));
+    if (!net.body.has_outline()) throw std::invalid_argument("the plate loads need a body with an outline to pull at");
+    box_ = bounding_box(net.body.rings[0]);
+  }
+
+  LoadSet edge_supported() const {
+    LoadSet set;
+    for (const std::size_t axis : {kX, kY}) {
+      const std::vector<std::size_t> held = held_edge(axis);
+      const std::size_t anchor = middle_of(held, axis);
+      SupportGroup group;
+      for (const std::size_t node : held) group.supports.push_back({node, axis, 0.0});
+      group.supports.push_back({anchor, 1 - axis, 0.0});
+      add(set, axis == kX ? "stretch-x" : "stretch-y", forces(stretch(axis, stress_), held),
+          stretch_reference(axis, net_.nodes[anchor][1 - axis]), group);
+    }
+    for (const std::size_t axis : {kX, kY}) {
+      SupportGroup group;
+      for (const std::size_t node : held_edge(1 - axis))
+        for (const std::size_t held : {kX, kY}) group.supports.push_back({node, held, 0.0});
+      add(set, axis == kX ? "shear-x" : "shear-y", forces(shear(stress_), {}), shear_reference(axis), group);
+    }
+    return set;
+  }
+
+  LoadSet minimally_supported() const {
+    const auto [pin, roller] = held_pair();
+    LoadSet set;
+    set.groups.push_back({{{pin, kX, 0.0}, {pin, kY, 0.0}, {roller, kY, 0.0}}});
+    sort_supports(set.groups[0]);
+    for (const std::size_t axis : {kX, kY})
+      set.loads.push_back({axis == kX ? "stretch-x" : "stretch-y", 0, forces(stretch(axis, stress_), {}),
+                           resting_reference(stretch_strain(axis), pin, roller)});
+    set.loads.push_back({"shear", 0, forces(shear(stress_), {}),
+                         resting_reference({0.0, 0.0, 0.5 * stress_ / material_.shear_modulus()}, pin, roller)});
+    return set;
+  }
+
+ private:
+  // The edge that is held for loads along an axis.
+  std::vector<std::size_t> held_edge(std::size_t axis) const {
+    std::vector<std::size_t> nodes = box_side_nodes(net_, axis, End::low);
+    if (nodes.size() < 2)
+      throw std::invalid_argument(
+          fmt::format("supports = 'edge' holds the {} edge of the body, and only {} of the nodes lies there: "
+                      "the body has no straight edge on that side",
+                      axis == kX ? "left" : "lower", nodes.size()));
+    return nodes;
+  }
+
+  // The node of an edge nearest to the middle of the body's box; ties go to the lower index.
+  std::size_t middle_of(std::vector<std::size_t> nodes, std::size_t axis) const {
+    const double middle = box_.low[1 - axis] + 0.5 * (box_.high[1 - axis] - box_.low[1 - axis]);
+    std::ranges::sort(nodes);
+    return *std::ranges::min_element(nodes, {},
+                                     [&](std::size_t i) { return std::abs(net_.nodes[i][1 - axis] - middle); });
+  }
+
+  // A stress around the body, except between two nodes of the edge `left_out`.
+  std::vector<double> forces(const Stress& stress, const std::vector<std::size_t>& left_out) const {
+    std::vector<double> forces(2 * net_.nodes.size(), 0.0);
+    const auto in = [&](std::size_t node) { return std::ranges::find(left_out, node) != left_out.end(); };
+    for_each_outline_piece(net_, [&](const OutlinePiece& piece) {
+      if (!(in(piece.from) && in(piece.to))) add_stress(net_, piece, stress, forces);
+    });
+    return forces;
+  }
+
+  // u_axis = σ(x−x0)/E', u_other = −ν'σ(y − anchor)/E'.
+  std::vector<double> stretch_reference(std::size_t axis, double anchor) const {
+    const std::size_t other = 1 - axis;
+    std::vector<double> u(2 * net_.nodes.size());
+    for (std::size_t i = 0; i < net_.nodes.size(); ++i) {
+      const Point& p = net_.nodes[i];
+      u[2 * i + axis] = stress_ * (p[axis] - box_.low[axis]) / material_.plane_young();
+      u[2 * i + other] = -material_.plane_poisson() * stress_ * (p[other] - anchor) / material_.plane_young();
+    }
+    return u;
+  }
+
+  // u_axis = τ(distance from the edge that is held)/G, nothing across.
+  std::vector<double> shear_reference(std::size_t axis) const {
+    const std::size_t other = 1 - axis;
+    std::vector<double> u(2 * net_.nodes.size(), 0.0);
+    for (std::size_t i = 0; i < net_.nodes.size(); ++i)
+      u[2 * i + axis] = stress_ * (net_.nodes[i][other] - box_.low[other]) / material_.shear_modulus();
+    return u;
+  }
+
+  // The nodes that hold rigid motions: lowest, leftmost of those; and farthest from it in x, lowest of those. Nodes on
+  // one edge count as equally low.
+  std::pair<std::size_t, std::size_t> held_pair() const {
+    const double tolerance = kOnOutline * box_.size();
+    const std::vector<std::size_t>& nodes = net_.outlines[0];
+    std::size_t pin = nodes[0];
+    for (const std::size_t i : nodes) {
+      const double lower = net_.nodes[pin][kY] - net_.nodes[i][kY];
+      if (lower > tolerance || (lower >= -tolerance && net_.nodes[i][kX] < net_.nodes[pin][kX])) pin = i;
+    }
+    const auto away = [&](std::size_t i) { return std::abs(net_.nodes[i][kX] - net_.nodes[pin][kX]); };
+    std::size_t roller = pin;
+    for (const std::size_t i : nodes) {
+      const double farther = away(i) - away(roller);
+      if (farther > tolerance || (farther >= -tolerance && net_.nodes[i][kY] < net_.nodes[roller][kY])) roller = i;
+    }
+    return {pin, roller};
+  }
+
+  Stress stretch_strain(std::size_t axis) const {
+    const double along = stress_ / material_.plane_young(), across = -material_.plane_poisson() * along;
+    return axis == kX ? Stress{along, across, 0.0} : Stress{across, along, 0.0};
+  }
+
+  // u = ε·(X − pin) turned by the small angle that leaves the roller at rest in y. `strain` is (ε_xx, ε_yy, ε_xy).
+  std::vector<double> resting_reference(const Stress& strain, std::size_t pin, std::size_t roller) const {
+    const Point& origin = net_.nodes[pin];
+    const double dx = net_.nodes[roller][kX] - origin[kX], dy = net_.nodes[roller][kY] - origin[kY];
+    const double turn = -(strain[2] * dx + strain[1] * dy) / dx;
+    std::vector<double> u(2 * net_.nodes.size());
+    for (std::size_t i = 0; i < net_.nodes.size(); ++i) {
+      const double x = net_.nodes[i][kX] - origin[kX], y = net_.nodes[i][kY] - origin[kY];
+      u[2 * i] = strain[0] * x + (strain[2] - turn) * y;
+      u[2 * i + 1] = (strain[2] + turn) * x + strain[1] * y;
+    }
+    u[2 * roller + 1] = 0.0;  // to the last digit
+    return u;
+  }
+
+  static void sort_supports(SupportGroup& group) {
+    std::ranges::sort(group.supports, {}, [](const Support& s) { return 2 * s.node + s.axis; });
+  }
+
+  static void add(LoadSet& set, std::string name, std::vector<double> forces, std::vector<double> reference,
+                  SupportGroup group) {
+    sort_supports(group);
+    set.loads.push_back({std::move(name), set.groups.size(), std::move(forces), std::move(reference)});
+    set.groups.push_back(std::move(group));
+  }
+
+  const Net& net_;
+  const Material& material_;
+  double stress_;
+  Box box_;
+};
+
+}  // namespace
+
+LoadSet make_plate_loads(const Net& net, const Material& material, double stress, SupportStyle style) {
+  const PlateLoads plate(net, material, stress);
+  return style == SupportStyle::edge ? plate.edge_supported() : plate.minimally_supported();
+}
+
+}  // namespace nodal::elastic
