@@ -4,7 +4,8 @@
 set -eu
 
 demo="g++ cmake ninja-build git libsuitesparse-dev libopenblas0-serial libeigen3-dev libnlopt-dev libnlopt-cxx-dev
-      libceres-dev libtomlplusplus-dev libcli11-dev nlohmann-json3-dev libfmt-dev libboost-dev libjs-vega libbenchmark-dev"
+      libceres-dev libtomlplusplus-dev libcli11-dev nlohmann-json3-dev libfmt-dev libboost-dev libjs-vega libbenchmark-dev
+      libcgal-dev"
 tests="libgtest-dev chromium"
 ci="clang-14"
 

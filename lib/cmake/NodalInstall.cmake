@@ -12,7 +12,7 @@ configure_package_config_file("${CMAKE_CURRENT_LIST_DIR}/nodalConfig.cmake.in" n
                               INSTALL_DESTINATION ${package_dir})
 write_basic_package_version_file(nodalConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES "${CMAKE_CURRENT_BINARY_DIR}/nodalConfig.cmake" "${CMAKE_CURRENT_BINARY_DIR}/nodalConfigVersion.cmake"
-              "${CMAKE_CURRENT_LIST_DIR}/FindCHOLMOD.cmake"
+              "${CMAKE_CURRENT_LIST_DIR}/FindCHOLMOD.cmake" "${CMAKE_CURRENT_LIST_DIR}/FindSPQR.cmake"
         DESTINATION ${package_dir})
 install(DIRECTORY bench/scenes DESTINATION ${CMAKE_INSTALL_DATADIR}/nodal)
 install(FILES LICENSE README.md DESTINATION ${CMAKE_INSTALL_DOCDIR})

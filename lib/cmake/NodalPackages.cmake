@@ -1,5 +1,5 @@
 # The libraries this build stands on. Required ones fail here with the package that brings them; NLopt and Ceres are
-# left out when they are absent or switched off (NODAL_NLOPT, NODAL_CERES).
+# left out when they are absent or switched off (NODAL_NLOPT, NODAL_CERES), and so is what needs CGAL (NODAL_CGAL).
 
 macro(nodal_require name hint)
   find_package(${name} ${ARGN} QUIET)
@@ -11,6 +11,7 @@ endmacro()
 nodal_require(fmt "install libfmt-dev" CONFIG)
 nodal_require(tomlplusplus "install libtomlplusplus-dev" CONFIG)
 nodal_require(CHOLMOD "install libsuitesparse-dev")
+nodal_require(SPQR "install libsuitesparse-dev")
 nodal_require(Eigen3 "install libeigen3-dev" NO_MODULE)
 # Multiprecision, for the reference that results are checked against; headers only.
 nodal_require(Boost "install libboost-dev" 1.74)
@@ -43,4 +44,17 @@ if(NOT NODAL_CERES STREQUAL "OFF")
     message(FATAL_ERROR "NODAL_CERES=ON, but Ceres is not installed: install libceres-dev")
   endif()
 endif()
-message(STATUS "nodal: NLopt ${NODAL_HAVE_NLOPT}, Ceres ${NODAL_HAVE_CERES}, CHOLMOD ${CHOLMOD_VERSION}")
+
+set(NODAL_HAVE_CGAL OFF)
+if(NOT NODAL_CGAL STREQUAL "OFF")
+  # CGAL's package sets a build type where there is none and says so at length; ours is set already.
+  set(CGAL_DO_NOT_WARN_ABOUT_CMAKE_BUILD_TYPE TRUE)
+  find_package(CGAL CONFIG QUIET)
+  if(CGAL_FOUND)
+    set(NODAL_HAVE_CGAL ON)
+  elseif(NODAL_CGAL STREQUAL "ON")
+    message(FATAL_ERROR "NODAL_CGAL=ON, but CGAL is not installed: install libcgal-dev")
+  endif()
+endif()
+message(STATUS "nodal: NLopt ${NODAL_HAVE_NLOPT}, Ceres ${NODAL_HAVE_CERES}, CGAL ${NODAL_HAVE_CGAL}, "
+               "CHOLMOD ${CHOLMOD_VERSION}")

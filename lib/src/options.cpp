@@ -24,8 +24,14 @@ std::string with_article(OptionType type) {
       return "a list of numbers";
     case OptionType::integer_list:
       return "a list of integers";
+    case OptionType::point_list:
+      return "a list of points [x, y]";
+    case OptionType::point_lists:
+      return "a list of lists of points [x, y]";
     case OptionType::table:
       return "a table";
+    case OptionType::table_list:
+      return "a list of tables";
   }
   return "a value";
 }
@@ -57,8 +63,17 @@ class Check {
       case OptionType::integer_list:
         result = list();
         break;
+      case OptionType::point_list:
+        result = points();
+        break;
+      case OptionType::point_lists:
+        result = point_lists();
+        break;
       case OptionType::table:
         wrong_type(option_.type);
+      case OptionType::table_list:
+        result = tables();
+        break;
     }
     result.source = value_.source;
     return result;
@@ -97,17 +112,44 @@ class Check {
     return result;
   }
 
-  Value list() const {
+  // Each entry checked by `check`, which is called on a Check of its own.
+  template <class CheckEntry>
+  Value list(CheckEntry check) const {
     if (!value_.is_list()) wrong_type(option_.type);
     const Value::List& given = value_.list();
     if (option_.length > 0 && given.size() != option_.length)
       refuse(fmt::format("has {} entries; it must have {}", given.size(), option_.length));
     Value::List items;
-    for (std::size_t i = 0; i < given.size(); ++i) {
-      const Check entry(fmt::format("entry {} of {}", i + 1, name_), option_, given[i]);
-      items.push_back(option_.type == OptionType::integer_list ? entry.integer() : entry.number());
-    }
-    return Value(std::move(items));
+    for (std::size_t i = 0; i < given.size(); ++i)
+      items.push_back(check(Check(fmt::format("entry {} of {}", i + 1, name_), option_, given[i])));
+    Value result(std::move(items));
+    result.source = value_.source;
+    return result;
+  }
+
+  Value list() const {
+    return list([this](const Check& entry) {
+      return option_.type == OptionType::integer_list ? entry.integer() : entry.number();
+    });
+  }
+
+  Value point() const {
+    if (!value_.is_list() || value_.list().size() != 2) refuse("must be a point [x, y]");
+    return list([](const Check& entry) { return entry.number(); });
+  }
+
+  Value points() const {
+    if (!value_.is_list()) refuse("must be a list of points [x, y]");
+    return list([](const Check& entry) { return entry.point(); });
+  }
+
+  Value point_lists() const {
+    return list([](const Check& entry) { return entry.points(); });
+  }
+
+  Value tables() const {
+    return list(
+        [](const Check& entry) { return resolve_options(entry.option_.fields, entry.value_, entry.name_).values(); });
   }
 
   void check_text() const {
@@ -120,6 +162,12 @@ class Check {
   const Value& value_;
   std::string name_;
 };
+
+std::vector<std::array<double, 2>> points_of(const Value& list) {
+  std::vector<std::array<double, 2>> points;
+  for (const Value& point : list.list()) points.push_back({point.list().at(0).number(), point.list().at(1).number()});
+  return points;
+}
 
 void refuse_unknown_keys(const OptionSchema& schema, const Value& given, const std::string& owner) {
   std::vector<std::string> known;
@@ -146,8 +194,14 @@ std::string_view to_string(OptionType type) noexcept {
       return "list of numbers";
     case OptionType::integer_list:
       return "list of integers";
+    case OptionType::point_list:
+      return "list of points";
+    case OptionType::point_lists:
+      return "list of lists of points";
     case OptionType::table:
       return "table";
+    case OptionType::table_list:
+      return "list of tables";
   }
   return "value";
 }
@@ -160,6 +214,20 @@ std::string range_text(const Option& option) {
   if (below) return fmt::format("{} {} {}", option.name, option.minimum_excluded ? ">" : "≥", option.minimum);
   if (above) return fmt::format("{} {} {}", option.name, most, option.maximum);
   return {};
+}
+
+std::vector<Options> Options::tables(std::string_view key) const {
+  std::vector<Options> tables;
+  for (const Value& table : at(key).list()) tables.emplace_back(table);
+  return tables;
+}
+
+std::vector<std::array<double, 2>> Options::points(std::string_view key) const { return points_of(at(key)); }
+
+std::vector<std::vector<std::array<double, 2>>> Options::point_lists(std::string_view key) const {
+  std::vector<std::vector<std::array<double, 2>>> lists;
+  for (const Value& list : at(key).list()) lists.push_back(points_of(list));
+  return lists;
 }
 
 Options resolve_options(const OptionSchema& schema, const Value& given, const std::string& owner) {

@@ -39,6 +39,12 @@ const OptionSchema kSchema = {
      .fields = {{.name = "young", .required = true, .help = "modulus of elasticity"},
                 {.name = "poisson", .default_value = 0.3, .minimum = -1.0, .maximum = 0.5},
                 {.name = "layer", .type = OptionType::table, .fields = {{.name = "depth", .minimum = 0.0}}}}},
+    {.name = "outline", .type = OptionType::point_list},
+    {.name = "holes", .type = OptionType::point_lists},
+    {.name = "forces",
+     .type = OptionType::table_list,
+     .fields = {{.name = "node", .type = OptionType::integer, .required = true},
+                {.name = "size", .default_value = 1.0}}},
     {.name = "start",
      .type = OptionType::text,
      .default_value = "paper",
@@ -234,6 +240,39 @@ TEST(Source, LeavesOutWhatIsNotKnown) {
   EXPECT_EQ(Source{}.text(), "");
   EXPECT_STREQ(InputError(Source{}, "what").what(), "what");
   EXPECT_STREQ(InputError(Source{"f", 1}, "what").what(), "f:1: what");
+}
+
+TEST(Options, ReadsPointsAndListsOfThem) {
+  const Options options = resolve(R"({"outline": [[0, 0], [4, 0.5]], "holes": [[[1, 1]], []]})");
+  using Points = std::vector<std::array<double, 2>>;
+  EXPECT_EQ(options.points("outline"), (Points{{0, 0}, {4, 0.5}}));
+  EXPECT_EQ(options.point_lists("holes"), (std::vector<Points>{{{1, 1}}, {}}));
+}
+
+TEST(Options, RefusesWhatIsNoPoint) {
+  EXPECT_EQ(refusal(R"({"outline": [[0, 0], [4]]})"),
+            "s.toml:1: entry 2 of 'outline' of optimizer 'toy' must be a point [x, y]");
+  EXPECT_EQ(refusal(R"({"outline": [[0, "a"]]})"),
+            "s.toml:1: entry 2 of entry 1 of 'outline' of optimizer 'toy' must be a number, not a text");
+  EXPECT_EQ(refusal(R"({"outline": 3})"), "s.toml:1: 'outline' of optimizer 'toy' must be a list of points [x, y]");
+  EXPECT_EQ(refusal(R"({"holes": [3]})"),
+            "s.toml:1: entry 1 of 'holes' of optimizer 'toy' must be a list of points [x, y]");
+}
+
+TEST(Options, ReadsAListOfTables) {
+  const Options options = resolve(R"({"forces": [{"node": 3}, {"node": 5, "size": 2}]})");
+  const std::vector<Options> forces = options.tables("forces");
+  ASSERT_EQ(forces.size(), 2u);
+  EXPECT_EQ(forces[0].integer("node"), 3);
+  EXPECT_EQ(forces[0].number("size"), 1.0);
+  EXPECT_EQ(forces[1].number("size"), 2.0);
+}
+
+TEST(Options, RefusesAWrongTableOfAList) {
+  EXPECT_EQ(refusal(R"({"forces": [{"node": 3}, {"node": 5, "sise": 2}]})"),
+            "s.toml:1: unknown key 'sise' in entry 2 of 'forces' of optimizer 'toy'; did you mean 'size'?");
+  EXPECT_EQ(refusal(R"({"forces": {"node": 3}})"),
+            "s.toml:1: 'forces' of optimizer 'toy' must be a list of tables, not a table");
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 /// Options as data. Every component declares what can be set on it; reading a study, `nodal list`, the config
 /// reference, `--set` and the effective options in a record all come from these declarations.
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -16,7 +17,18 @@
 
 namespace nodal {
 
-enum class OptionType { boolean, integer, number, text, number_list, integer_list, table };
+enum class OptionType {
+  boolean,
+  integer,
+  number,
+  text,
+  number_list,
+  integer_list,
+  point_list,   ///< [[x, y], …]
+  point_lists,  ///< [[[x, y], …], …]
+  table,
+  table_list,  ///< tables with the same fields
+};
 
 [[nodiscard]] std::string_view to_string(OptionType type) noexcept;
 
@@ -32,10 +44,10 @@ struct Option {
   double maximum = std::numeric_limits<double>::infinity();
   bool minimum_excluded = false;          ///< the range is open at its lower end
   bool maximum_excluded = false;          ///< the range is open at its upper end
-  std::size_t length = 0;                 ///< of a list; 0 is any
+  std::size_t length = 0;                 ///< of a list of numbers; 0 is any
   std::vector<std::string> choices = {};  ///< of a text; empty is any text
   std::string help = {};                  ///< one line: what it means and why this default
-  std::vector<Option> fields = {};        ///< of a table
+  std::vector<Option> fields = {};        ///< of a table, or of each of a list
   bool or_table = false;                  ///< a text option that may be a table with `fields` instead
 };
 
@@ -55,6 +67,9 @@ class Options {
   [[nodiscard]] const std::string& text(std::string_view key) const { return table_.at(key).text(); }
   [[nodiscard]] std::vector<double> numbers(std::string_view key) const { return table_.at(key).numbers(); }
   [[nodiscard]] Options table(std::string_view key) const { return Options(table_.at(key)); }
+  [[nodiscard]] std::vector<Options> tables(std::string_view key) const;
+  [[nodiscard]] std::vector<std::array<double, 2>> points(std::string_view key) const;
+  [[nodiscard]] std::vector<std::vector<std::array<double, 2>>> point_lists(std::string_view key) const;
   [[nodiscard]] const Value& at(std::string_view key) const { return table_.at(key); }
   /// As one table, in the schema's order; sources are kept for messages.
   [[nodiscard]] const Value& values() const noexcept { return table_; }

@@ -114,8 +114,7 @@ std::vector<Stage> ElasticProblem::stages() const {
   const ElasticModel& model = data_->model;
   const bool supernodal = std::ranges::any_of(model.groups, [](const auto& g) { return g->pattern().supernodal(); });
   return {
-      {"body", true,
-       fmt::format("{}, thickness {}", s.net.body.name, s.net.body.thickness)},
+      {"body", true, fmt::format("{}, thickness {}", s.net.body.name, s.net.body.thickness)},
       {"points", true, s.net.layout},
       {"iterated Voronoi regions", false, "the points lie on a grid"},
       {"springs", true, fmt::format("{}, {} springs", s.net.topology, s.net.springs.size())},

@@ -56,8 +56,7 @@ bool contains(const Body& body, const Point& point) {
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const Point &p = ring[i], &q = ring[(i + 1) % ring.size()];
       if (distance_to_segment(point, p, q) <= tolerance) return true;
-      if ((p[1] > point[1]) != (q[1] > point[1]) &&
-          point[0] < p[0] + (point[1] - p[1]) / (q[1] - p[1]) * (q[0] - p[0]))
+      if ((p[1] > point[1]) != (q[1] > point[1]) && point[0] < p[0] + (point[1] - p[1]) / (q[1] - p[1]) * (q[0] - p[0]))
         inside = !inside;
     }
   }

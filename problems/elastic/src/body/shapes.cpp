@@ -54,9 +54,10 @@ Body ring_body(const Point& centre, double radius, double hole, std::size_t side
   require_positive(hole, "a ring's inner radius");
   Body body = disc_body(centre, radius, sides, thickness);
   if (!(hole < radius * std::cos(std::numbers::pi / static_cast<double>(sides))))
-    throw std::invalid_argument(fmt::format("a ring's inner radius {} must be smaller than its outer one {}, "
-                                            "by more than what a polygon of {} sides cuts off",
-                                            hole, radius, sides));
+    throw std::invalid_argument(
+        fmt::format("a ring's inner radius {} must be smaller than its outer one {}, "
+                    "by more than what a polygon of {} sides cuts off",
+                    hole, radius, sides));
   Ring inside = regular_ring(centre, hole, sides, 0.0);
   body.rings.emplace_back(inside.rbegin(), inside.rend());
   body.name = fmt::format("ring of radii {} and {} ({} sides)", hole, radius, sides);
