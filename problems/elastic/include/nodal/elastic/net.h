@@ -47,11 +47,13 @@ struct Net {
   std::vector<NodeKind> kinds;                     ///< [nodes]; all inner while empty
   std::vector<std::vector<std::size_t>> outlines;  ///< per ring of the body: the nodes on it, along it
 
+  std::vector<double> masses;            ///< [nodes], kg; empty where nothing needs masses
+  std::vector<std::vector<Ring>> cells;  ///< [nodes]: the rings of each Voronoi region in the body; empty without any
+  std::string layout;                    ///< how nodes were placed, in a phrase: "grid of 5 × 5 nodes"
+
   /// On the outline or on a hole's, corners included.
   [[nodiscard]] bool on_border(std::size_t node) const { return !kinds.empty() && kinds[node] != NodeKind::inner; }
   [[nodiscard]] bool on_corner(std::size_t node) const { return !kinds.empty() && kinds[node] == NodeKind::corner; }
-  /// How nodes were placed, in a phrase: "grid of 5 × 5 nodes".
-  std::string layout;
 };
 
 /// Fills `kinds` and `outlines` from where the nodes lie: within 1e-9 of the body's size of its border, or of a corner.
