@@ -20,9 +20,9 @@ namespace nodal::elastic {
 inline constexpr double kDefaultCornerTurn = 30.0 / 180.0 * 3.14159265358979323846;
 
 struct Body {
-  std::string name = "";             ///< for people: "rectangle 4 × 4", "gear.wkt"
-  std::vector<Ring> rings;           ///< [0] the outline, counterclockwise; then holes, clockwise
-  std::vector<std::string> remarks;  ///< what was mended when it was read
+  std::string name = "";                  ///< for people: "rectangle 4 × 4", "gear.wkt"
+  std::vector<Ring> rings;                ///< [0] the outline, counterclockwise; then holes, clockwise
+  std::vector<std::string> remarks = {};  ///< what was mended when it was read
   double thickness = 1.0;
   double corner_turn = kDefaultCornerTurn;
 
