@@ -18,10 +18,13 @@ Value pairs(const std::vector<double>& values) {
 
 Value index(std::size_t i) { return Value(static_cast<std::int64_t>(i)); }
 
-Value bearing_json(const elastic::LoadState& load) {
+Value node_name(const elastic::Net& net, std::size_t node) { return Value(net.id(node)); }
+
+Value bearing_json(const elastic::Net& net, const elastic::LoadState& load) {
   Value::List list;
   for (std::size_t s = 0; s < load.supports.size(); ++s)
-    list.emplace_back(Value::List{index(load.supports[s].node), index(load.supports[s].axis), Value(load.bearing[s])});
+    list.emplace_back(
+        Value::List{node_name(net, load.supports[s].node), index(load.supports[s].axis), Value(load.bearing[s])});
   return Value(std::move(list));
 }
 
@@ -48,7 +51,8 @@ Value state_json(const std::string& label, const elastic::ElasticProblem& proble
   for (std::size_t e = 0; e < stiffness.size(); ++e) {
     const elastic::Spring& spring = problem.net().springs[e];
     Value entry;
-    entry.set("nodes", Value(Value::List{index(spring.first), index(spring.second)}));
+    entry.set("nodes",
+              Value(Value::List{node_name(problem.net(), spring.first), node_name(problem.net(), spring.second)}));
     entry.set("stiffness", stiffness[e]);
     springs.push_back(std::move(entry));
   }
@@ -58,7 +62,7 @@ Value state_json(const std::string& label, const elastic::ElasticProblem& proble
     entry.set("quality", load.quality);
     entry.set("displacement", pairs(load.displacement));
     entry.set("reference", pairs(load.reference));
-    entry.set("bearing", bearing_json(load));
+    entry.set("bearing", bearing_json(problem.net(), load));
     loads.push_back(std::move(entry));
   }
   Value result;

@@ -94,7 +94,7 @@ void refuse_what_it_lacks(const Problem& problem, const StudyOptimizer& optimize
 
 std::string fitted_json(const Problem& problem, const std::vector<double>& x) {
   if (const auto* elastic = dynamic_cast<const elastic::ElasticProblem*>(&problem))
-    return elastic::stiffness_json(elastic->net(), elastic->stiffness(x));
+    return elastic::system_json(elastic->net(), elastic->stiffness(x));
   Value table;
   for (std::size_t i = 0; i < x.size(); ++i) table.set(problem.space().name(i), x[i]);
   return to_json(table);

@@ -33,7 +33,7 @@ void check_option(const Option& option, const std::string& owner) {
     EXPECT_EQ(option.type, OptionType::text) << name;
   }
   if (!option.fields.empty()) {
-    EXPECT_TRUE(option.type == OptionType::table || option.or_table) << name;
+    EXPECT_TRUE(option.type == OptionType::table || option.type == OptionType::table_list || option.or_table) << name;
   }
   for (const Option& field : option.fields) check_option(field, name);
 }

@@ -80,10 +80,10 @@ class Cholesky {
   [[nodiscard]] std::span<double> values() noexcept;
   /// ok or not_positive_definite. Values must be finite.
   [[nodiscard]] Status factorize();
-  /// The factor of the matrix plus `delta` b bᵀ, by cholmod_updown: no factorization. b is given by its nonzeros, permuted
-  /// positions ascending, all within the pattern. CHOLMOD reports no trouble here; rounding grows with every update
-  /// until the next `factorize`. A supernodal factor turns simplicial, and both turn LDLᵀ, so `smallest_pivot_ratio`
-  /// means nothing after this. Allocates inside CHOLMOD.
+  /// The factor of the matrix plus `delta` b bᵀ, by cholmod_updown: no factorization. b is given by its nonzeros,
+  /// permuted positions ascending, all within the pattern. CHOLMOD reports no trouble here; rounding grows with every
+  /// update until the next `factorize`. A supernodal factor turns simplicial, and both turn LDLᵀ, so
+  /// `smallest_pivot_ratio` means nothing after this. Allocates inside CHOLMOD.
   void update(std::span<const int> positions, std::span<const double> b, double delta);
   /// After not_positive_definite: the permuted position of the pivot that failed.
   [[nodiscard]] std::size_t failed_position() const noexcept { return failed_position_; }

@@ -60,7 +60,7 @@ class ElasticEvaluator final : public Evaluator {
   bool by_lanes_;
   std::unique_ptr<LaneEvaluation> lanes_;  // both made when first needed: a race may never need CHOLMOD's factors
   std::unique_ptr<FullEvaluation> full_;
-  PointDerivatives* solver_ = nullptr;     // the one of the two that solved for the point
+  PointDerivatives* solver_ = nullptr;  // the one of the two that solved for the point
   std::vector<double> x_, stiffness_, by_spring_;
   bool at_point_ = false;  // x_, factors and displacements belong to one successful evaluation
   bool refined_ = false;   // … and that was an audit

@@ -123,8 +123,13 @@ std::vector<Stage> ElasticProblem::stages() const {
       {"loads", true,
        fmt::format("{} load cases, {} support group{}", s.loads.loads.size(), s.loads.groups.size(),
                    s.loads.groups.size() == 1 ? "" : "s")},
-      {"analytic reference", true, "homogeneous rectangle: the closed form is exact"},
-      {"finite-element reference", false, "the closed form holds"},
+      {"analytic reference", s.measured_reference.empty(),
+       s.measured_reference.empty() ? "a homogeneous body under homogeneous stress: the closed form is exact"
+                                    : "the reference was measured"},
+      {"measured reference", !s.measured_reference.empty(),
+       s.measured_reference.empty() ? "no file is given" : s.measured_reference},
+      {"finite-element reference", false,
+       s.measured_reference.empty() ? "the closed form holds" : "the reference was measured"},
       {"parameters", true,
        fmt::format("{}: {} coordinates (ln k) for {} springs", s.parameter_rule, parameters().size(),
                    parameters().springs())},
@@ -158,6 +163,13 @@ std::vector<std::string> ElasticProblem::remarks() const {
   if (data_->moved_starts > 0)
     remarks.push_back(fmt::format("the start of {} of {} coordinates was outside the bounds and moved just inside",
                                   data_->moved_starts, parameters().size()));
+  const bool pulled = std::ranges::any_of(s.loads.loads, [](const LoadCase& load) {
+    return std::ranges::any_of(load.forces, [](double f) { return f != 0.0; });
+  });
+  if (!pulled)
+    remarks.push_back(
+        "no load has a force: all stiffnesses times any factor fit as well, so only their ratios are found; give a "
+        "force that was measured");
   const double poisson = s.material.plane_poisson();
   if (std::abs(poisson - 1.0 / 3.0) > 0.02) {
     const bool tied = !parameters().one_to_one();

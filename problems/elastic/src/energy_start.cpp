@@ -210,7 +210,12 @@ double best_scale(const Scene& scene, const std::vector<double>& stiffness) {
 }
 
 std::vector<double> energy_stiffness(const Scene& scene, const std::array<double, 2>& bounds) {
-  std::vector<double> start = area_stiffness(scene.net, scene.material);
+  for (const SupportGroup& group : scene.loads.groups)
+    if (std::ranges::any_of(group.weights, [](double w) { return w == 0.0; }))
+      throw std::invalid_argument(
+          "the 'energy' rule needs a reference that is known at every node; some displacements were not measured");
+  // One optimum from any start.
+  std::vector<double> start = paper_stiffness(scene.net, scene.material);
   for (double& k : start) k = std::clamp(k, bounds[0], bounds[1]);
   Energy energy(scene);
   return ProjectedNewton(energy, bounds, std::move(start)).run();

@@ -139,8 +139,9 @@ struct Refinement {
 /// One correction leaves about the square of its own relative size: above this, one is not enough to trust.
 inline constexpr double kSuspiciousCorrection = 1e-4;
 
-/// True when a plain solve with a factor whose worst pivot kept `smallest_pivot_ratio` of its diagonal may be off by more
-/// than a race allows (1e-10): cancellation in that pivot, growing with the number of unknowns, bounds what is lost.
+/// True when a plain solve with a factor whose worst pivot kept `smallest_pivot_ratio` of its diagonal may be off by
+/// more than a race allows (1e-10): cancellation in that pivot, growing with the number of unknowns, bounds what is
+/// lost.
 [[nodiscard]] bool plain_solve_loses(std::size_t unknowns, double smallest_pivot_ratio) noexcept;
 
 class Equilibrium {

@@ -69,12 +69,12 @@ std::string FullEvaluation::describe(Status status) const {
     }
     case Status::not_positive_definite:
       return fmt::format("the net is a mechanism or not supported: it gives way at node {} (support group {})",
-                         failed.failed_node(), failed_group_);
+                         model_.scene.net.id(failed.failed_node()), failed_group_);
     case Status::ill_conditioned:
       return fmt::format(
           "stiffnesses differ too much for double precision, among each other or from what the loads ask for; node {} "
           "suffers most (support group {})",
-          failed.weakest_node(), failed_group_);
+          model_.scene.net.id(failed.weakest_node()), failed_group_);
     default:
       return {};
   }

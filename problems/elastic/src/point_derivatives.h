@@ -24,7 +24,8 @@ class PointDerivatives {
   virtual void product(std::span<const double> factor, std::span<double> jv) = 0;
   /// by_spring[e] += w·∂r/∂k_e; one solve per load.
   virtual void add_transposed_product(std::span<const double> w, std::span<double> by_spring) = 0;
-  /// Adds k_e ∂r/∂k_e into column coordinate_of(e) of a [residuals][coordinates] matrix; one solve per spring and group.
+  /// Adds k_e ∂r/∂k_e into column coordinate_of(e) of a [residuals][coordinates] matrix; one solve per spring and
+  /// group.
   virtual void add_jacobian(std::span<double> jacobian) = 0;
 
   [[nodiscard]] virtual Work work() const = 0;

@@ -9,6 +9,8 @@
 
 #include "energy_start.h"
 #include "lanes/lane_instructions.h"
+#include "loads/study_loads.h"
+#include "scene/read_net.h"
 
 namespace nodal::elastic {
 
@@ -36,37 +38,6 @@ Material read_material(const Options& options) {
   return {material.number("young"), poisson, plane};
 }
 
-Net read_net(const Options& options, const Body& body) {
-  const Options points = options.table("points");
-  const std::vector<double> counts = points.numbers("counts");
-  for (const double count : counts)
-    if (count < 2)
-      throw InputError(
-          points.at("counts").source,
-          fmt::format("'counts' is [{}, {}]: a grid with one row or column has no area; give at least 2 nodes "
-                      "in each direction",
-                      counts[0], counts[1]));
-  if (counts[0] * counts[1] > 1e6)
-    throw InputError(points.at("counts").source,
-                     fmt::format("'counts' is [{}, {}]: more than 1000000 nodes", counts[0], counts[1]));
-  const Options springs = options.table("springs");
-  const std::string& topology = springs.text("topology");
-  const auto known = std::ranges::find(topologies(), topology, &Topology::name);
-  if (known == topologies().end()) {
-    std::vector<std::string> names;
-    for (const Topology& t : topologies()) names.push_back(t.name);
-    throw InputError(springs.at("topology").source,
-                     fmt::format("unknown topology '{}'{}", topology, name_hint(topology, names)));
-  }
-  if (known->mechanism)
-    throw InputError(
-        springs.at("topology").source,
-        fmt::format("topology '{}' is a mechanism: without diagonals its cells shear without resistance; take "
-                    "'single', 'alternating' or 'crossed'",
-                    topology));
-  return make_grid_net(body, static_cast<std::size_t>(counts[0]), static_cast<std::size_t>(counts[1]), topology);
-}
-
 std::array<double, 2> read_bounds(const Options& springs, double unit) {
   const std::vector<double> bounds = springs.numbers("bounds");
   if (!(0.0 < bounds[0] && bounds[0] < bounds[1]))
@@ -80,36 +51,53 @@ std::array<double, 2> read_bounds(const Options& springs, double unit) {
 }
 
 // A start of the user's own is refused when it is outside the bounds; a rule's is moved inside (elastic_problem.cpp).
-std::vector<double> read_start_file(const std::string& file, const Value& where, const ProblemContext& context,
-                                    const Scene& scene) {
-  const std::vector<double> k = read_stiffness_file(context.directory / file, scene.net);
+void refuse_outside_bounds(const std::vector<double>& k, const Source& source, const Scene& scene) {
   for (std::size_t e = 0; e < k.size(); ++e)
     if (k[e] < scene.stiffness_bounds[0] || k[e] > scene.stiffness_bounds[1])
       throw InputError(
-          where.source,
-          fmt::format("the start's spring ({}, {}) has stiffness {}, outside the bounds [{}, {}]; change the "
-                      "file or 'bounds'",
-                      scene.net.springs[e].first, scene.net.springs[e].second, k[e], scene.stiffness_bounds[0],
-                      scene.stiffness_bounds[1]));
-  return k;
+          source, fmt::format("the start's spring ({}, {}) has stiffness {}, outside the bounds [{}, {}]; "
+                              "change the file or 'bounds'",
+                              scene.net.id(scene.net.springs[e].first), scene.net.id(scene.net.springs[e].second), k[e],
+                              scene.stiffness_bounds[0], scene.stiffness_bounds[1]));
 }
 
-std::vector<double> stiffness_by_rule(const std::string& rule, const Value& where, const Scene& scene) {
-  if (rule == "paper") return paper_stiffness(scene.net, scene.material);
-  if (rule == "area") return area_stiffness(scene.net, scene.material);
+std::vector<double> stiffness_by_rule(const std::string& rule, const Source& source, const Scene& scene) {
   try {
+    if (rule == "paper") return paper_stiffness(scene.net, scene.material);
+    if (rule == "area") return area_stiffness(scene.net, scene.material);
     if (rule == "lattice") return lattice_stiffness(scene.net, scene.material);
+    return energy_stiffness(scene, scene.stiffness_bounds);
   } catch (const std::invalid_argument& error) {
-    throw InputError(where.source, std::string(error.what()) + "; take 'area' instead");
+    throw InputError(source, std::string(error.what()) + (rule == "lattice" ? "; take 'area' instead" : ""));
   }
-  return energy_stiffness(scene, scene.stiffness_bounds);
 }
 
-void read_start(const Options& springs, const ProblemContext& context, Scene& scene) {
+void scale_best(Scene& scene) {
+  const double factor = best_scale(scene, scene.initial_stiffness);
+  scene.initial_rule += fmt::format(", scaled by its best single factor {:.6g}", factor);
+  for (double& k : scene.initial_stiffness) k *= factor;
+}
+
+// What a file of springs says, or a rule that suits every net; the paper's on its own plate.
+void read_default_start(const Options& springs, const std::vector<double>& of_file, Scene& scene) {
+  if (!of_file.empty()) {
+    scene.initial_rule = "as the file of springs says";
+    scene.initial_stiffness = of_file;
+    refuse_outside_bounds(of_file, springs.at("file").source, scene);
+    return;
+  }
+  scene.initial_rule = "paper";
+  scene.initial_stiffness = paper_stiffness(scene.net, scene.material);
+  if (springs.has("file")) scale_best(scene);
+}
+
+void read_start(const Options& springs, const ProblemContext& context, const std::vector<double>& of_file,
+                Scene& scene) {
+  if (!springs.has("initial")) return read_default_start(springs, of_file, scene);
   const Value& initial = springs.at("initial");
   if (initial.is_text()) {
     scene.initial_rule = initial.text();
-    scene.initial_stiffness = stiffness_by_rule(initial.text(), initial, scene);
+    scene.initial_stiffness = stiffness_by_rule(initial.text(), initial.source, scene);
     return;
   }
   const Options table(initial);
@@ -118,16 +106,13 @@ void read_start(const Options& springs, const ProblemContext& context, Scene& sc
   if (table.has("file")) {
     if (table.has("scale")) throw InputError(initial.source, "'scale' belongs to a rule; a file is taken as it is");
     scene.initial_rule = "file " + table.text("file");
-    scene.initial_stiffness = read_start_file(table.text("file"), initial, context, scene);
+    scene.initial_stiffness = read_stiffness_file(context.directory / table.text("file"), scene.net);
+    refuse_outside_bounds(scene.initial_stiffness, initial.source, scene);
     return;
   }
-  const std::string& rule = table.text("rule");
-  scene.initial_rule = rule;
-  scene.initial_stiffness = stiffness_by_rule(rule, initial, scene);
-  if (!table.has("scale")) return;
-  const double factor = best_scale(scene, scene.initial_stiffness);
-  scene.initial_rule += fmt::format(", scaled by its best single factor {:.6g}", factor);
-  for (double& k : scene.initial_stiffness) k *= factor;
+  scene.initial_rule = table.text("rule");
+  scene.initial_stiffness = stiffness_by_rule(table.text("rule"), initial.source, scene);
+  if (table.has("scale")) scale_best(scene);
 }
 
 MovesOptions read_moves(const Options& options, const Scene& scene) {
@@ -153,15 +138,9 @@ Scene make_scene(const Options& options, const ProblemContext& context) {
   Scene scene;
   const Body body = read_body(options);
   scene.material = read_material(options);
-  scene.net = read_net(options, body);
-
-  const Options loads = options.table("loads");
-  scene.stress = loads.number("stress");
-  if (scene.stress == 0.0)
-    throw InputError(loads.at("stress").source,
-                     "'stress' is 0: the reference displacement is zero everywhere, so there is nothing to fit");
-  const SupportStyle style = loads.text("supports") == "edge" ? SupportStyle::edge : SupportStyle::minimal;
-  scene.loads = make_plate_loads(scene.net, scene.material, scene.stress, style);
+  StudyNet study = read_net(options, context, body);
+  scene.net = std::move(study.net);
+  read_loads(options, context, scene);
 
   const Options weights = options.table("quality").table("weights");
   scene.weights = {weights.number("inner"), weights.number("border"), weights.number("corner")};
@@ -178,7 +157,7 @@ Scene make_scene(const Options& options, const ProblemContext& context) {
   }
   scene.moves = read_moves(options.table("moves"), scene);
   scene.stiffness_bounds = read_bounds(springs, scene.material.young * body.thickness);
-  read_start(springs, context, scene);
+  read_start(springs, context, study.stiffness, scene);
   return scene;
 }
 

@@ -3,6 +3,8 @@
 #include <nodal/provenance.h>
 
 #include "cholesky.h"
+#include "loads/study_loads.h"
+#include "scene/read_net.h"
 
 namespace nodal {
 
@@ -13,12 +15,6 @@ namespace {
 Value numbers(std::initializer_list<double> values) {
   Value::List list;
   for (const double value : values) list.emplace_back(value);
-  return Value(list);
-}
-
-Value integers(std::initializer_list<int> values) {
-  Value::List list;
-  for (const int value : values) list.emplace_back(value);
   return Value(list);
 }
 
@@ -57,28 +53,21 @@ OptionSchema initial_fields() {
 
 OptionSchema springs_fields() {
   return {
-      {.name = "topology", .type = OptionType::text, .default_value = "crossed",
+      {.name = "file", .type = OptionType::text,
+       .help = "springs of your own: CSV with columns first, second (the nodes) and if you like stiffness, group; or a system file"},
+      {.name = "topology", .type = OptionType::text, .default_text = "crossed",
        .help = "single, alternating or crossed; grid, without diagonals, is refused as a mechanism"},
       {.name = "parameters", .type = OptionType::text, .default_value = "each",
        .choices = {"each", "by-direction", "symmetric", "uniform"},
        .help = "which springs share one stiffness: none, all of a direction, mirror images, all"},
-      {.name = "initial", .type = OptionType::text, .default_value = "paper", .choices = {"paper", "area", "lattice", "energy"},
+      {.name = "initial", .type = OptionType::text,
+       .default_text = "paper; with a file of springs its stiffnesses, or paper scaled by its best factor", .choices = {"paper", "area", "lattice", "energy"},
        .help = "rule of the start: paper k = E t s0/4; area (Van Gelder); lattice, exact at ν = 1/3; energy, the minimiser "
                "of a convex energy; or a table with 'rule' and 'scale', or with 'file'",
        .fields = initial_fields(), .or_table = true},
       {.name = "bounds", .type = OptionType::number_list, .default_value = numbers({1e-4, 1e2}),
        .unit = "young × thickness", .minimum = 0.0, .minimum_excluded = true, .length = 2,
        .help = "lowest and highest stiffness of a spring"},
-  };
-}
-
-OptionSchema loads_fields() {
-  return {
-      {.name = "set", .type = OptionType::text, .default_value = "plate", .choices = {"plate"},
-       .help = "the paper's loads: two stretches and two shears"},
-      {.name = "stress", .type = OptionType::number, .default_value = 1.0, .unit = "Pa", .help = "traction; not 0"},
-      {.name = "supports", .type = OptionType::text, .default_value = "edge", .choices = {"edge", "minimal"},
-       .help = "edge: each load holds an edge (Figure 4); minimal: three balanced loads, rigid motions held (Figure 5)"},
   };
 }
 
@@ -113,15 +102,10 @@ OptionSchema elastic_schema() {
   return {
       table("body", "what is approximated", body_fields()),
       table("material", "linear elastic, isotropic, homogeneous", material_fields()),
-      table("points", "where the nodes are",
-            {{.name = "layout", .type = OptionType::text, .default_value = "grid", .choices = {"grid"}, .help = "how nodes are placed"},
-             {.name = "counts", .type = OptionType::integer_list, .default_value = integers({5, 5}), .length = 2,
-              .help = "nodes in x and in y, each at least 2"}}),
+      table("points", "where the nodes are", points_fields()),
       table("springs", "which nodes are joined, what is free, where it starts", springs_fields()),
       table("loads", "forces and supports", loads_fields()),
-      table("reference", "the displacements to be matched",
-            {{.name = "method", .type = OptionType::text, .default_value = "auto", .choices = {"auto", "analytic"},
-              .help = "auto takes the closed form, which is exact for a homogeneous rectangle"}}),
+      table("reference", "the displacements to be matched", reference_fields()),
       table("quality", "how displacements are compared: G of eq. (12)",
             {table("weights", "of squared differences", weight_fields())}),
       table("equilibrium", "how equilibria are solved",

@@ -32,6 +32,9 @@ std::vector<double> paper_stiffness(const Net& net, const Material& material) {
 // diagonal is a side of both triangles in its own. In a crossed grid each triangulation has half weight, so a diagonal
 // counts half of two triangles.
 std::vector<double> area_stiffness(const Net& net, const Material& material) {
+  if (net.grid.columns == 0)
+    throw std::invalid_argument(
+        "the 'area' rule needs springs that are the sides of triangles; these come from elsewhere");
   const double triangle = 0.5 * net.grid.cell[0] * net.grid.cell[1];
   const double diagonal_share = net.topology == "crossed" ? 1.0 : 2.0;
   std::vector<double> k;

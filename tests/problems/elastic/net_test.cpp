@@ -150,7 +150,7 @@ TEST(Stages, AreLeftOutWhereTheSceneDoesNotNeedThem) {
   std::size_t used = 0, left_out = 0;
   for (const Stage& stage : make_plate()->stages()) ++(stage.used ? used : left_out);
   EXPECT_EQ(used, 11u);
-  EXPECT_EQ(left_out, 4u);  // Voronoi regions, Delaunay triangulation, masses, finite elements
+  EXPECT_EQ(left_out, 5u);  // Voronoi regions, Delaunay triangulation, masses, measurements, finite elements
 }
 
 TEST(Stages, FactorizeOncePerSupportGroup) {

@@ -153,7 +153,7 @@ class StiffnessFile : public testing::Test {
 
 TEST_F(StiffnessFile, ComesBackAsItWasWritten) {
   const std::vector<double> k = {1.0, 0.1, 1e-300, 1.0 / 3.0, 6.02214076e23};
-  write(stiffness_json(net_, k));
+  write(system_json(net_, k));
   EXPECT_EQ(read_stiffness_file(path_, net_), k);
 }
 TEST_F(StiffnessFile, MayListSpringsInAnyOrder) {

@@ -43,7 +43,8 @@ struct Scene {
   std::array<double, 2> stiffness_bounds = {};  ///< N/m
   std::string initial_rule;                     ///< for `explain`
   std::string solver = "auto";                  ///< auto | lanes | simplicial | supernodal
-  double stress = 1.0;
+  double stress = 1.0;                          ///< of the plate loads
+  std::string measured_reference;  ///< where the reference comes from, for `explain`; empty for the closed form
   MovesOptions moves = {};
 
   /// Of squared differences at a node's free freedoms.

@@ -50,7 +50,12 @@ struct Net {
   std::vector<double> masses;            ///< [nodes], kg; empty where nothing needs masses
   std::vector<std::vector<Ring>> cells;  ///< [nodes]: the rings of each Voronoi region in the body; empty without any
   std::string layout;                    ///< how nodes were placed, in a phrase: "grid of 5 × 5 nodes"
+  std::vector<std::int64_t> ids;         ///< [nodes]: what a file of the user\'s calls them; empty for 0, 1, 2, …
 
+  /// What people call a node.
+  [[nodiscard]] std::int64_t id(std::size_t node) const {
+    return ids.empty() ? static_cast<std::int64_t>(node) : ids[node];
+  }
   /// On the outline or on a hole's, corners included.
   [[nodiscard]] bool on_border(std::size_t node) const { return !kinds.empty() && kinds[node] != NodeKind::inner; }
   [[nodiscard]] bool on_corner(std::size_t node) const { return !kinds.empty() && kinds[node] == NodeKind::corner; }

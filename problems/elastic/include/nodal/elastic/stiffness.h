@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-/// Initial spring stiffnesses, and stiffness files.
+/// Initial spring stiffnesses, and files that hold fitted systems.
 ///
 /// Units    N/m. Shapes: [springs].
 
@@ -23,10 +23,15 @@ namespace nodal::elastic {
 /// std::invalid_argument unless the grid is crossed with square cells.
 [[nodiscard]] std::vector<double> lattice_stiffness(const Net& net, const Material& material);
 
-/// Reads {"springs": [{"nodes": [i, j], "stiffness": k}, …]} in any order.
+/// Reads the springs of a system file, {"springs": [{"nodes": [i, j], "stiffness": k}, …]}, in any order; nodes by what
+/// the net calls them. What else the file holds is not looked at.
 /// InputError for a missing, doubled or unknown spring, or a stiffness that is not a positive number.
 [[nodiscard]] std::vector<double> read_stiffness_file(const std::filesystem::path& path, const Net& net);
-/// The same shape, springs in the net's order.
-[[nodiscard]] std::string stiffness_json(const Net& net, const std::vector<double>& stiffness);
+
+/// All that a simulator needs, springs and nodes in the net's order:
+///     {"nodes": [{"node": i, "x": x, "y": y, "mass": m}, …],
+///      "springs": [{"nodes": [i, j], "stiffness": k, "length": L}, …]}
+/// "mass" only where the net has masses. Units    m, kg, N/m. A study can read it back as points, springs and start.
+[[nodiscard]] std::string system_json(const Net& net, const std::vector<double>& stiffness);
 
 }  // namespace nodal::elastic

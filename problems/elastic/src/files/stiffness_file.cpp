@@ -2,29 +2,17 @@
 #include <nodal/elastic/stiffness.h>
 #include <nodal/value.h>
 
-#include <cerrno>
+#include <algorithm>
 #include <cmath>
-#include <cstring>
-#include <fstream>
 #include <map>
-#include <sstream>
 
 #include <fmt/format.h>
+
+#include "files/text_file.h"
 
 namespace nodal::elastic {
 
 namespace {
-
-std::string read_text(const std::filesystem::path& path) {
-  errno = 0;
-  std::ifstream in(path, std::ios::binary);
-  std::ostringstream text;
-  if (in) text << in.rdbuf();
-  if (!in || std::filesystem::is_directory(path))
-    throw InputError(fmt::format("cannot read stiffness file '{}': {}", path.string(),
-                                 errno ? std::strerror(errno) : "not a regular file"));
-  return std::move(text).str();
-}
 
 // The entry of one spring: {"nodes": [i, j], "stiffness": k}.
 struct Entry {
@@ -46,7 +34,7 @@ Entry parse_entry(const Value& item) {
 }  // namespace
 
 std::vector<double> read_stiffness_file(const std::filesystem::path& path, const Net& net) {
-  const Value file = parse_json(read_text(path), path.string());
+  const Value file = parse_json(read_text_file(path, "stiffness file"), path.string());
   const Value* springs = file.is_table() ? file.find("springs") : nullptr;
   if (!springs || !springs->is_list())
     throw InputError({path.string(), 0},
@@ -54,7 +42,7 @@ std::vector<double> read_stiffness_file(const std::filesystem::path& path, const
 
   std::map<std::pair<std::int64_t, std::int64_t>, std::size_t> index;
   for (std::size_t e = 0; e < net.springs.size(); ++e)
-    index[{static_cast<std::int64_t>(net.springs[e].first), static_cast<std::int64_t>(net.springs[e].second)}] = e;
+    index[std::minmax({net.id(net.springs[e].first), net.id(net.springs[e].second)})] = e;
   std::vector<double> stiffness(net.springs.size(), 0.0);
   std::vector<bool> seen(net.springs.size(), false);
   for (const Value& item : springs->list()) {
@@ -74,15 +62,24 @@ std::vector<double> read_stiffness_file(const std::filesystem::path& path, const
     if (!seen[e])
       throw InputError({path.string(), 0},
                        fmt::format("spring ({}, {}) is missing; every spring of the net must stand once",
-                                   net.springs[e].first, net.springs[e].second));
+                                   net.id(net.springs[e].first), net.id(net.springs[e].second)));
   return stiffness;
 }
 
-std::string stiffness_json(const Net& net, const std::vector<double>& stiffness) {
-  std::string text = "{\"springs\": [\n";
-  for (std::size_t e = 0; e < net.springs.size(); ++e)
-    text += fmt::format("  {{\"nodes\": [{}, {}], \"stiffness\": {}}}{}\n", net.springs[e].first, net.springs[e].second,
-                        stiffness.at(e), e + 1 < net.springs.size() ? "," : "");
+std::string system_json(const Net& net, const std::vector<double>& stiffness) {
+  const auto after = [](std::size_t i, std::size_t count) { return i + 1 < count ? "," : ""; };
+  std::string text = "{\"nodes\": [\n";
+  for (std::size_t i = 0; i < net.nodes.size(); ++i) {
+    text += fmt::format("  {{\"node\": {}, \"x\": {}, \"y\": {}", net.id(i), net.nodes[i][0], net.nodes[i][1]);
+    if (!net.masses.empty()) text += fmt::format(", \"mass\": {}", net.masses[i]);
+    text += fmt::format("}}{}\n", after(i, net.nodes.size()));
+  }
+  text += "],\n\"springs\": [\n";
+  for (std::size_t e = 0; e < net.springs.size(); ++e) {
+    const Spring& s = net.springs[e];
+    text += fmt::format("  {{\"nodes\": [{}, {}], \"stiffness\": {}, \"length\": {}}}{}\n", net.id(s.first),
+                        net.id(s.second), stiffness.at(e), s.length, after(e, net.springs.size()));
+  }
   return text + "]}\n";
 }
 

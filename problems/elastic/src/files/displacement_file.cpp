@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "files/displacement_file.h"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+
+#include <fmt/format.h>
+
+#include "body/segment.h"
+#include "files/csv.h"
+#include "files/node_names.h"
+#include "files/text_file.h"
+
+namespace nodal::elastic {
+
+namespace {
+
+// A position that was written with six digits must still find its node.
+constexpr double kSamePlace = 1e-6;
+
+// Nodes by place, found among those of nearly the same x.
+class NodePlaces {
+ public:
+  explicit NodePlaces(const Net& net)
+      : net_(net), order_(net.nodes.size()), slack_(kSamePlace * bounding_box(net.nodes).size()) {
+    std::iota(order_.begin(), order_.end(), std::size_t{0});
+    std::ranges::sort(order_, {}, [&](std::size_t i) { return net.nodes[i]; });
+  }
+
+  std::size_t find(const Point& p, const Source& source) const {
+    const auto x = [&](std::size_t i) { return net_.nodes[i][0]; };
+    for (auto at = std::ranges::lower_bound(order_, p[0] - slack_, {}, x);
+         at != order_.end() && x(*at) <= p[0] + slack_; ++at)
+      if (distance(net_.nodes[*at], p) <= slack_) return *at;
+    const std::size_t nearest =
+        *std::ranges::min_element(order_, {}, [&](std::size_t i) { return distance(net_.nodes[i], p); });
+    throw InputError(
+        source, fmt::format("there is no node at ({}, {}); the nearest is node {} at ({}, {}), {:.3g} m away", p[0],
+                            p[1], net_.id(nearest), net_.nodes[nearest][0], net_.nodes[nearest][1],
+                            distance(net_.nodes[nearest], p)));
+  }
+
+ private:
+  const Net& net_;
+  std::vector<std::size_t> order_;
+  double slack_;
+};
+
+std::size_t load_of(const CsvRow& row, bool named, const std::vector<std::string>& loads) {
+  if (!named) {
+    if (loads.size() == 1) return 0;
+    throw InputError(row.source(), fmt::format("a column 'load' must say which load a row is for; the study has {}",
+                                               fmt::join(loads, ", ")));
+  }
+  const auto found = std::ranges::find(loads, row.text("load"));
+  if (found == loads.end())
+    throw InputError(row.source(),
+                     fmt::format("the study has no load '{}'{}", row.text("load"), name_hint(row.text("load"), loads)));
+  return static_cast<std::size_t>(found - loads.begin());
+}
+
+void take(const CsvRow& row, std::size_t node, MeasuredLoad& load) {
+  const double weight = row.number("weight").value_or(1.0);
+  if (!(weight >= 0.0)) throw InputError(row.source(), fmt::format("'weight' is {}; it must be ≥ 0", weight));
+  const char* axes[] = {"ux", "uy"};
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    const std::optional<double> u = row.number(axes[axis]);
+    if (!u) continue;
+    load.displacement[2 * node + axis] = *u;
+    load.weights[2 * node + axis] = weight;
+  }
+}
+
+}  // namespace
+
+std::vector<MeasuredLoad> read_displacement_file(const std::filesystem::path& path, const Net& net,
+                                                 const std::vector<std::string>& loads) {
+  const CsvTable table(read_text_file(path, "displacement file"), path.string(),
+                       {{"load"}, {"node"}, {"x"}, {"y"}, {"ux", true}, {"uy", true}, {"weight"}});
+  const bool by_name = table.has("node");
+  if (by_name == (table.has("x") && table.has("y")))
+    throw InputError({path.string(), 1}, "the columns must have either 'node', or both 'x' and 'y'");
+  const NodeNames names(net);
+  const NodePlaces places(net);
+  const std::size_t freedoms = 2 * net.nodes.size();
+  std::vector<MeasuredLoad> measured(loads.size(),
+                                     {std::vector<double>(freedoms, 0.0), std::vector<double>(freedoms, 0.0)});
+  std::vector<std::vector<bool>> seen(loads.size(), std::vector<bool>(net.nodes.size(), false));
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    const CsvRow row = table.row(i);
+    const std::size_t load = load_of(row, table.has("load"), loads);
+    const std::size_t node = by_name ? names.find(row.required_integer("node"), row.source())
+                                     : places.find({row.required_number("x"), row.required_number("y")}, row.source());
+    if (seen[load][node])
+      throw InputError(row.source(), fmt::format("node {} stands twice in load '{}'", net.id(node), loads[load]));
+    seen[load][node] = true;
+    take(row, node, measured[load]);
+  }
+  for (std::size_t l = 0; l < loads.size(); ++l)
+    if (std::ranges::none_of(measured[l].weights, [](double w) { return w > 0.0; }))
+      throw InputError({path.string(), 0}, fmt::format("no displacement is given for load '{}'", loads[l]));
+  return measured;
+}
+
+}  // namespace nodal::elastic

@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "loads/own_loads.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <span>
+
+#include <fmt/format.h>
+
+#include "loads/outline_forces.h"
+#include "loads/selection.h"
+
+namespace nodal::elastic {
+
+namespace {
+
+OptionSchema with_selection(OptionSchema own) {
+  OptionSchema fields = selection_fields();
+  fields.insert(fields.end(), own.begin(), own.end());
+  return fields;
+}
+
+OptionSchema support_fields() {
+  return with_selection({
+      {.name = "fix",
+       .type = OptionType::text,
+       .default_value = "xy",
+       .choices = {"x", "y", "xy"},
+       .help = "which displacements are held"},
+      {.name = "displacement",
+       .type = OptionType::number_list,
+       .default_text = "[0, 0]",
+       .unit = "m",
+       .length = 2,
+       .help = "where they are held; the one of an axis that isn't held counts for nothing"},
+      {.name = "measured",
+       .type = OptionType::boolean,
+       .default_value = false,
+       .help = "held where the reference says that the nodes went"},
+  });
+}
+
+OptionSchema force_fields() {
+  return with_selection({
+      {.name = "force", .type = OptionType::number_list, .unit = "N", .length = 2, .help = "on each of the nodes"},
+      {.name = "total",
+       .type = OptionType::number_list,
+       .unit = "N",
+       .length = 2,
+       .help = "instead of 'force': on all of them together, in equal shares"},
+  });
+}
+
+OptionSchema traction_fields() {
+  return with_selection({
+      {.name = "traction",
+       .type = OptionType::number_list,
+       .unit = "Pa",
+       .length = 2,
+       .help = "force per area of the edge, in x and y"},
+      {.name = "pressure", .type = OptionType::number, .unit = "Pa", .help = "instead: inwards, along the normal"},
+      {.name = "stress",
+       .type = OptionType::number_list,
+       .unit = "Pa",
+       .length = 3,
+       .help = "instead: σ·n of the stress state σ_xx, σ_yy, σ_xy"},
+  });
+}
+
+// Exactly one of the keys must be there; returns it.
+std::string one_of(const Options& table, std::initializer_list<const char*> keys) {
+  std::string found;
+  std::string all;
+  for (const char* key : keys) {
+    all += fmt::format("{}'{}'", all.empty() ? "" : " or ", key);
+    if (!table.has(key)) continue;
+    if (!found.empty())
+      throw InputError(table.values().source, fmt::format("'{}' and '{}' exclude each other", found, key));
+    found = key;
+  }
+  if (found.empty()) throw InputError(table.values().source, fmt::format("{} is missing", all));
+  return found;
+}
+
+void add_forces(const Options& table, const Net& net, std::span<double> forces) {
+  const std::vector<std::size_t> nodes = select_nodes(table, net);
+  const std::string key = one_of(table, {"force", "total"});
+  const std::vector<double> force = table.numbers(key);
+  const double share = key == "total" ? 1.0 / static_cast<double>(nodes.size()) : 1.0;
+  for (const std::size_t node : nodes)
+    for (std::size_t axis = 0; axis < 2; ++axis) forces[2 * node + axis] += share * force[axis];
+}
+
+// A constant traction pulls with t · length · traction, whatever the direction of the edge.
+void add_traction(const Net& net, const OutlinePiece& piece, const std::vector<double>& traction,
+                  std::span<double> forces) {
+  const Point &p = net.nodes[piece.from], &q = net.nodes[piece.to];
+  const double half = 0.5 * net.body.thickness * std::hypot(q[0] - p[0], q[1] - p[1]);
+  for (const std::size_t node : {piece.from, piece.to})
+    for (std::size_t axis = 0; axis < 2; ++axis) forces[2 * node + axis] += half * traction[axis];
+}
+
+void add_tractions(const Options& table, const Net& net, std::span<double> forces) {
+  const std::vector<std::size_t> nodes = select_nodes(table, net);
+  const std::string key = one_of(table, {"traction", "pressure", "stress"});
+  const auto selected = [&](std::size_t node) { return std::ranges::binary_search(nodes, node); };
+  bool any = false;
+  for_each_outline_piece(net, [&](const OutlinePiece& piece) {
+    if (!selected(piece.from) || !selected(piece.to)) return;
+    any = true;
+    if (key == "traction") {
+      add_traction(net, piece, table.numbers(key), forces);
+    } else if (key == "pressure") {
+      const double p = table.number(key);
+      add_stress(net, piece, {-p, -p, 0.0}, forces);
+    } else {
+      const std::vector<double> s = table.numbers(key);
+      add_stress(net, piece, {s[0], s[1], s[2]}, forces);
+    }
+  });
+  if (!any)
+    throw InputError(table.values().source,
+                     net.body.has_outline()
+                         ? "no two neighbours on an outline are selected here, so there is no edge to pull at"
+                         : "a traction needs a body with an outline to pull at; this one has none: give forces");
+}
+
+struct Held {
+  double value = 0.0;
+  bool measured = false;
+  Source source;
+};
+
+void add_supports(const Options& table, const Net& net, std::map<std::size_t, Held>& held) {
+  const std::string& fix = table.text("fix");
+  const bool measured = table.boolean("measured");
+  if (measured && table.has("displacement"))
+    throw InputError(table.values().source, "'measured' and 'displacement' exclude each other");
+  const std::vector<double> at = table.has("displacement") ? table.numbers("displacement") : std::vector{0.0, 0.0};
+  for (const std::size_t node : select_nodes(table, net)) {
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      if (fix.find("xy"[axis]) == std::string::npos) continue;
+      const Held wanted{measured ? 0.0 : at[axis], measured, table.values().source};
+      const auto [earlier, fresh] = held.emplace(2 * node + axis, wanted);
+      if (!fresh && (earlier->second.value != wanted.value || earlier->second.measured != wanted.measured))
+        throw InputError(wanted.source,
+                         fmt::format("node {} is held twice in {}, at different displacements; the other "
+                                     "place: {}",
+                                     net.id(node), "xy"[axis], earlier -> second.source.text()));
+    }
+  }
+}
+
+OwnCase read_case(const Options& table, const Net& net) {
+  OwnCase result{table.text("name"), std::vector<double>(2 * net.nodes.size(), 0.0), {}, {}, table.values().source};
+  if (result.name.empty()) throw InputError(table.at("name").source, "the name of a load may not be empty");
+  std::map<std::size_t, Held> held;
+  for (const Options& support : table.tables("supports")) add_supports(support, net, held);
+  for (const Options& force : table.tables("forces")) add_forces(force, net, result.forces);
+  for (const Options& traction : table.tables("tractions")) add_tractions(traction, net, result.forces);
+  bool moved = std::ranges::any_of(result.forces, [](double f) { return f != 0.0; });
+  for (const auto& [freedom, hold] : held) {
+    result.supports.push_back({freedom / 2, freedom % 2, hold.value});
+    if (hold.measured) result.held_as_measured.push_back(freedom);
+    moved = moved || hold.measured || hold.value != 0.0;
+  }
+  if (!moved)
+    throw InputError(result.source, fmt::format("nothing pulls or moves in load '{}': give it forces, tractions, or "
+                                                "supports with a displacement",
+                                                result.name));
+  return result;
+}
+
+}  // namespace
+
+OptionSchema case_fields() {
+  return {
+      {.name = "name", .type = OptionType::text, .required = true, .help = "what files and reports call it"},
+      {.name = "supports",
+       .type = OptionType::table_list,
+       .default_value = Value(Value::List{}),
+       .help = "what holds",
+       .fields = support_fields()},
+      {.name = "forces",
+       .type = OptionType::table_list,
+       .default_value = Value(Value::List{}),
+       .help = "forces on nodes",
+       .fields = force_fields()},
+      {.name = "tractions",
+       .type = OptionType::table_list,
+       .default_value = Value(Value::List{}),
+       .help = "what pulls at an edge: at every piece of an outline with both ends selected, by tributary length",
+       .fields = traction_fields()},
+  };
+}
+
+std::vector<OwnCase> read_own_cases(const std::vector<Options>& cases, const Net& net) {
+  std::vector<OwnCase> read;
+  for (const Options& table : cases) {
+    OwnCase one = read_case(table, net);
+    const auto earlier = std::ranges::find(read, one.name, &OwnCase::name);
+    if (earlier != read.end())
+      throw InputError(one.source,
+                       fmt::format("two loads are called '{}'; the other one: {}", one.name, earlier->source.text()));
+    read.push_back(std::move(one));
+  }
+  return read;
+}
+
+}  // namespace nodal::elastic

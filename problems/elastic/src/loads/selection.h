@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+/// Which nodes a support, force or traction of a study is for.
+///
+/// Several keys together mean their intersection: `edge = "outline", box = [0, 0, 1, 4]` is the part of the outline in
+/// that box.
+
+#include <vector>
+
+#include <nodal/elastic/net.h>
+#include <nodal/options.h>
+
+namespace nodal::elastic {
+
+/// The keys of a selection: nodes, box, edge, near.
+[[nodiscard]] OptionSchema selection_fields();
+
+/// Ascending. InputError when the table has none of the keys, names what isn't there, or selects no node.
+[[nodiscard]] std::vector<std::size_t> select_nodes(const Options& table, const Net& net);
+
+}  // namespace nodal::elastic

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "loads/study_loads.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "files/displacement_file.h"
+#include "loads/own_loads.h"
+
+namespace nodal::elastic {
+
+namespace {
+
+void refuse_key(const Options& table, const char* key, const char* instead) {
+  if (table.has(key))
+    throw InputError(table.at(key).source, fmt::format("'{}' belongs to set = 'plate', and this study has 'cases' of "
+                                                       "its own; {}",
+                                                       key, instead));
+}
+
+LoadSet read_plate_loads(const Options& loads, Scene& scene) {
+  if (loads.has("stress")) scene.stress = loads.number("stress");
+  if (scene.stress == 0.0)
+    throw InputError(loads.at("stress").source,
+                     "'stress' is 0: the reference displacement is zero everywhere, so there is nothing to fit");
+  const bool minimal = loads.has("supports") && loads.text("supports") == "minimal";
+  try {
+    return make_plate_loads(scene.net, scene.material, scene.stress,
+                            minimal ? SupportStyle::minimal : SupportStyle::edge);
+  } catch (const std::invalid_argument& error) {
+    throw InputError(loads.values().source,
+                     fmt::format("{}; take supports = 'minimal', or give 'cases' of your own", error.what()));
+  }
+}
+
+// Each case in a group of its own: the reference decides which go together.
+LoadSet from_cases(const std::vector<OwnCase>& cases) {
+  LoadSet set;
+  for (const OwnCase& one : cases) {
+    set.loads.push_back({one.name, set.groups.size(), one.forces, std::vector<double>(one.forces.size(), 0.0)});
+    set.groups.push_back({one.supports});
+  }
+  return set;
+}
+
+// Holds freedoms where the reference says that they went.
+void hold_as_measured(const OwnCase& one, const MeasuredLoad& measured, const Net& net, SupportGroup& group) {
+  for (Support& support : group.supports) {
+    const std::size_t freedom = 2 * support.node + support.axis;
+    if (!std::ranges::binary_search(one.held_as_measured, freedom)) continue;
+    if (!(measured.weights[freedom] > 0.0))
+      throw InputError(one.source,
+                       fmt::format("node {} is to be held as measured, but the reference has no {} of it in "
+                                   "load '{}'",
+                                   net.id(support.node), support.axis == 0 ? "ux" : "uy", one.name));
+    support.value = measured.displacement[freedom];
+  }
+}
+
+// Takes the reference from measurements. Loads then go together that share supports and what is known of them.
+void apply_measurements(const std::vector<MeasuredLoad>& measured, LoadSet& set) {
+  LoadSet grouped;
+  for (std::size_t l = 0; l < set.loads.size(); ++l) {
+    LoadCase load = std::move(set.loads[l]);
+    SupportGroup group = set.groups[load.group];
+    load.reference = measured[l].displacement;
+    // A freedom that is held is where it is held: what was measured there says nothing about springs.
+    for (const Support& s : group.supports) load.reference[2 * s.node + s.axis] = s.value;
+    const bool complete = std::ranges::all_of(measured[l].weights, [](double w) { return w == 1.0; });
+    if (!complete) group.weights = measured[l].weights;
+    const auto same = std::ranges::find_if(grouped.groups, [&](const SupportGroup& g) {
+      return g.supports == group.supports && g.weights == group.weights;
+    });
+    load.group = static_cast<std::size_t>(same - grouped.groups.begin());
+    if (same == grouped.groups.end()) grouped.groups.push_back(std::move(group));
+    grouped.loads.push_back(std::move(load));
+  }
+  set = std::move(grouped);
+}
+
+std::string summary(const std::string& file, const std::vector<MeasuredLoad>& measured) {
+  std::size_t known = 0, all = 0;
+  for (const MeasuredLoad& load : measured) {
+    all += load.weights.size();
+    known += static_cast<std::size_t>(std::ranges::count_if(load.weights, [](double w) { return w > 0.0; }));
+  }
+  return fmt::format("{}: {} of {} displacements of {} load{}", file, known, all, measured.size(),
+                     measured.size() == 1 ? "" : "s");
+}
+
+}  // namespace
+
+OptionSchema loads_fields() {
+  return {
+      {.name = "set",
+       .type = OptionType::text,
+       .default_text = "own when there are cases, else plate",
+       .choices = {"plate", "own"},
+       .help = "plate: the paper's two stretches and two shears; own: the cases below"},
+      {.name = "stress",
+       .type = OptionType::number,
+       .default_text = "1",
+       .unit = "Pa",
+       .help = "of the plate set; not 0"},
+      {.name = "supports",
+       .type = OptionType::text,
+       .default_text = "edge",
+       .choices = {"edge", "minimal"},
+       .help =
+           "of the plate set. edge: each load holds a straight edge of the body (Figure 4); minimal: three balanced "
+           "loads, rigid motions held (Figure 5)"},
+      {.name = "cases",
+       .type = OptionType::table_list,
+       .help = "load cases of your own; they need reference.file",
+       .fields = case_fields()},
+  };
+}
+
+OptionSchema reference_fields() {
+  return {
+      {.name = "method",
+       .type = OptionType::text,
+       .default_value = "auto",
+       .choices = {"auto", "analytic", "file"},
+       .help = "auto takes the file where one is given, else the closed form, which is exact for the plate's loads on "
+               "any homogeneous body"},
+      {.name = "file",
+       .type = OptionType::text,
+       .help = "measured displacements: CSV with columns load, node (or x, y), ux, uy, weight"},
+  };
+}
+
+void read_loads(const Options& problem, const ProblemContext& context, Scene& scene) {
+  const Options loads = problem.table("loads"), reference = problem.table("reference");
+  const bool own = loads.has("set") ? loads.text("set") == "own" : loads.has("cases");
+  std::vector<OwnCase> cases;
+  if (own) {
+    if (!loads.has("cases") || loads.tables("cases").empty())
+      throw InputError(loads.values().source, "set = 'own' needs 'cases'");
+    refuse_key(loads, "stress", "give each case its tractions");
+    refuse_key(loads, "supports", "give each case its supports");
+    cases = read_own_cases(loads.tables("cases"), scene.net);
+    scene.loads = from_cases(cases);
+  } else {
+    if (loads.has("cases"))
+      throw InputError(loads.at("cases").source, "set = 'plate' has no 'cases'; take set = 'own'");
+    scene.loads = read_plate_loads(loads, scene);
+  }
+
+  const std::string& method = reference.text("method");
+  if (method == "analytic" && reference.has("file"))
+    throw InputError(reference.at("file").source, "method = 'analytic' takes no 'file'");
+  if (!reference.has("file")) {
+    if (method == "file") throw InputError(reference.values().source, "method = 'file' needs a 'file'");
+    if (own)
+      throw InputError(
+          reference.values().source,
+          "cases of your own need reference = { file = … }, the displacements to be matched: a closed form "
+          "is known for the plate's loads only");
+    return;
+  }
+  std::vector<std::string> names;
+  for (const LoadCase& load : scene.loads.loads) names.push_back(load.name);
+  const std::vector<MeasuredLoad> measured =
+      read_displacement_file(context.directory / reference.text("file"), scene.net, names);
+  for (std::size_t l = 0; l < cases.size(); ++l)
+    hold_as_measured(cases[l], measured[l], scene.net, scene.loads.groups[l]);
+  apply_measurements(measured, scene.loads);
+  scene.measured_reference = summary(reference.text("file"), measured);
+}
+
+}  // namespace nodal::elastic

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+/// The loads and references that a study asks for.
+
+#include <nodal/elastic/elastic_problem.h>
+
+namespace nodal::elastic {
+
+/// The fields of `loads` and of `reference`.
+[[nodiscard]] OptionSchema loads_fields();
+[[nodiscard]] OptionSchema reference_fields();
+
+/// Fills loads, stress and reference of a scene whose net and material are there. InputError for what doesn't fit.
+void read_loads(const Options& problem, const ProblemContext& context, Scene& scene);
+
+}  // namespace nodal::elastic

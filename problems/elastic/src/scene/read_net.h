@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+/// The points and springs that a study asks for.
+
+#include <string>
+#include <vector>
+
+#include <nodal/elastic/net.h>
+#include <nodal/options.h>
+#include <nodal/registry.h>
+
+namespace nodal::elastic {
+
+/// The fields of `points`.
+[[nodiscard]] OptionSchema points_fields();
+
+/// A net, and what a file of springs knows beyond it.
+struct StudyNet {
+  Net net;
+  std::vector<double> stiffness;    ///< [springs]; empty unless the file has them
+  std::vector<std::string> groups;  ///< [springs]; empty unless the file has them
+};
+
+/// InputError with the source of the value at fault.
+[[nodiscard]] StudyNet read_net(const Options& problem, const ProblemContext& context, const Body& body);
+
+}  // namespace nodal::elastic

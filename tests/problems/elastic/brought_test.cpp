@@ -1,0 +1,332 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Systems brought from elsewhere: files of nodes, springs and displacements, loads of a study's own.
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <numeric>
+
+#include <fmt/format.h>
+
+#include <nodal/elastic/stiffness.h>
+#include "../../lib/messages.h"
+#include "../../lib/temporary_directory.h"
+#include "files/csv.h"
+
+#include "plate.h"
+
+namespace nodal::elastic {
+namespace {
+
+// ── tables
+
+CsvTable table(const std::string& text) { return {text, "t.csv", {{"a", true}, {"b"}, {"name"}}}; }
+std::string table_refusal(const std::string& text) {
+  return toy::message_of([&] { (void)table(text); });
+}
+
+TEST(Csv, ReadsColumnsInAnyOrderAndLeavesOutComments) {
+  const CsvTable t = table("# made by hand\n\nb, a\n 1 , 2\n# half\n+3,-4e1\n");
+  ASSERT_EQ(t.size(), 2u);
+  EXPECT_EQ(t.row(0).number("a"), 2.0);
+  EXPECT_EQ(t.row(1).number("a"), -40.0);
+  EXPECT_EQ(t.row(1).number("b"), 3.0);
+  EXPECT_EQ(t.row(1).source().text(), "t.csv:6");
+  EXPECT_FALSE(t.has("name"));
+  EXPECT_EQ(t.row(0).text("name"), "");
+}
+
+TEST(Csv, ReadsSemicolonsTabsQuotesAndWhatSpreadsheetsWrite) {
+  EXPECT_EQ(table("a;name\n1;x\n").row(0).text("name"), "x");
+  EXPECT_EQ(table("a\tname\n1\tx y\n").row(0).text("name"), "x y");
+  EXPECT_EQ(table("\xEF\xBB\xBF\"a\",name\r\n1,\"he said \"\"so, so\"\"\"\r\n").row(0).text("name"),
+            "he said \"so, so\"");
+  EXPECT_EQ(table("a,name\n1,\n").row(0).text("name"), "");
+}
+
+TEST(Csv, RefusesWhatItCannotRead) {
+  EXPECT_EQ(table_refusal(""), "t.csv: the file is empty; its first line must name the columns");
+  EXPECT_EQ(table_refusal("b\n1\n"), "t.csv:1: column 'a' is missing; possible columns: a, b, name");
+  EXPECT_EQ(table_refusal("a,nome\n"), "t.csv:1: unknown column 'nome'; did you mean 'name'?");
+  EXPECT_EQ(table_refusal("a,a\n"), "t.csv:1: column 'a' stands twice");
+  EXPECT_EQ(table_refusal("a,b\n1\n"), "t.csv:2: 1 fields, where the first line names 2 columns: a, b");
+  EXPECT_EQ(table_refusal("a,name\n1,\"x\n"), "t.csv:2: a quoted field doesn't end on its line");
+  const auto number = [](const char* field) {
+    return toy::message_of([&] { (void)table(std::string("a\n") + field + "\n").row(0).required_number("a"); });
+  };
+  EXPECT_EQ(number("1,5"), "t.csv:2: 2 fields, where the first line names 1 columns: a");
+  EXPECT_EQ(number("1.5m"), "t.csv:2: 'a' is '1.5m'; it must be a finite number");
+  EXPECT_EQ(number("nan"), "t.csv:2: 'a' is 'nan'; it must be a finite number");
+  EXPECT_EQ(number("\"\""), "t.csv:2: 'a' is empty; it must be a number");
+}
+
+// ── whole systems
+
+class Brought : public testing::Test {
+ protected:
+  void write(const std::string& file, const std::string& text) { std::ofstream(directory_.path() / file) << text; }
+
+  // A plate's net and its displacements under some loads as files, with nodes named `first_name`, `first_name` + 1, ….
+  void write_plate(const ElasticProblem& plate, std::int64_t first_name = 0) {
+    const Net& net = plate.net();
+    std::string nodes = "node,x,y\n", springs = "first,second\n", displacements = "load,node,ux,uy\n";
+    for (std::size_t i = 0; i < net.nodes.size(); ++i)
+      nodes += fmt::format("{},{},{}\n", first_name + static_cast<std::int64_t>(i), net.nodes[i][0], net.nodes[i][1]);
+    for (const Spring& s : net.springs)
+      springs += fmt::format("{},{}\n", first_name + static_cast<std::int64_t>(s.first),
+                             first_name + static_cast<std::int64_t>(s.second));
+    for (const LoadCase& load : plate.scene().loads.loads)
+      for (std::size_t i = 0; i < net.nodes.size(); ++i)
+        displacements += fmt::format("{},{},{},{}\n", load.name, first_name + static_cast<std::int64_t>(i),
+                                     load.reference[2 * i], load.reference[2 * i + 1]);
+    write("nodes.csv", nodes);
+    write("springs.csv", springs);
+    write("displacements.csv", displacements);
+  }
+
+  std::shared_ptr<const ElasticProblem> read(const std::string& problem) {
+    return as_elastic(parse_study("[study]\nname = \"brought\"\n[problem]\nkind = \"elastic\"\n" + problem,
+                                  directory_.path() / "study.toml", components()));
+  }
+  // What reading it complains of, without the directory.
+  std::string refusal(const std::string& problem) {
+    std::string message = toy::message_of([&] { (void)read(problem); });
+    const std::string path = directory_.path().string() + "/";
+    for (std::size_t at = message.find(path); at != std::string::npos; at = message.find(path))
+      message.erase(at, path.size());
+    return message;
+  }
+
+  toy::TemporaryDirectory directory_;
+};
+
+constexpr const char* kFiles =
+    "body = { size = [4, 4] }\npoints = { file = \"nodes.csv\" }\nsprings = { file = \"springs.csv\", initial = "
+    "\"paper\" }\nreference = { file = \"displacements.csv\" }\n";
+
+// The minimal plate loads, said as a user would.
+constexpr const char* kPlateCases = R"(
+[[problem.loads.cases]]
+name = "stretch-x"
+supports = [{ near = [0, 0] }, { nodes = [NODE], fix = "y" }]
+tractions = [{ edge = "right", traction = [1, 0] }, { edge = "left", stress = [1, 0, 0] }]
+[[problem.loads.cases]]
+name = "stretch-y"
+supports = [{ near = [0, 0] }, { box = [4, 0, 4, 0], fix = "y" }]
+tractions = [{ edge = "top", pressure = -1 }, { edge = "bottom", pressure = -1 }]
+[[problem.loads.cases]]
+name = "shear"
+supports = [{ box = [0, 0, 0, 0], fix = "x" }, { edge = "side-0", box = [-1, 0, 0, 0], fix = "y" }, { near = [4, 0], fix = "y" }]
+tractions = [{ edge = "outline", stress = [0, 0, 1] }]
+)";
+
+std::string plate_cases(std::int64_t roller) {
+  std::string text = kPlateCases;
+  text.replace(text.find("NODE"), 4, std::to_string(roller));
+  return text;
+}
+
+// The same problem by files and cases as by the closed form: same space, cost and gradient, one support group.
+TEST_F(Brought, PlateIsThePlate) {
+  const auto plate = make_plate({.supports = "minimal"});
+  for (const std::int64_t name : {0, 1001}) {
+    write_plate(*plate, name);
+    const auto brought = read(kFiles + plate_cases(name + 4));
+    ASSERT_EQ(brought->space().size(), plate->space().size());
+    EXPECT_EQ(brought->scene().loads.groups.size(), 1u);
+    EXPECT_EQ(brought->residual_count(), plate->residual_count());
+    const std::vector<double> x(plate->space().start().begin(), plate->space().start().end());
+    std::vector<double> a(x.size()), b(x.size());
+    const double expected = plate->make_evaluator()->value_and_gradient(x, a).cost;
+    // Files hold all digits; what differs is the order in which forces were added.
+    EXPECT_NEAR(brought->make_evaluator()->value_and_gradient(x, b).cost, expected, 1e-13 * expected);
+    for (std::size_t i = 0; i < x.size(); ++i) EXPECT_NEAR(b[i], a[i], 1e-13);
+  }
+}
+
+TEST_F(Brought, NodesMayBeFoundByPlace) {
+  const auto plate = make_plate({.supports = "minimal"});
+  write_plate(*plate);
+  std::string rows = "load;x;y;ux;uy\n";
+  for (const LoadCase& load : plate->scene().loads.loads)
+    for (std::size_t i = 0; i < 25; ++i)
+      rows += fmt::format("{};{:.5f};{:.5f};{};{}\n", load.name, plate->net().nodes[i][0] + 1e-6,
+                          plate->net().nodes[i][1], load.reference[2 * i], load.reference[2 * i + 1]);
+  write("displacements.csv", rows);
+  EXPECT_NEAR(start_quality(*read(kFiles + plate_cases(4))), start_quality(*plate), 1e-12);
+}
+
+// G² sums the freedoms that were measured, each by its weight, and no others; loads measured at different nodes are in
+// different groups.
+TEST_F(Brought, OnlyWhatWasMeasuredCounts) {
+  const auto plate = make_plate({.supports = "minimal"});
+  write_plate(*plate);
+  write("displacements.csv",
+        "load,node,ux,uy,weight\nstretch-x,24,4,,2\nstretch-x,12,2,-0.5,\nstretch-y,24,,3,\nshear,24,,3,\n");
+  const auto brought = read(kFiles + plate_cases(4));
+  EXPECT_EQ(brought->scene().loads.groups.size(), 2u);
+  EXPECT_EQ(brought->scene().loads.loads[1].group, brought->scene().loads.loads[2].group);
+  const std::vector<double> k = brought->stiffness(brought->space().start());
+  const State state = brought->solve(k), whole = plate->solve(k);
+  const auto u = [&](std::size_t load, std::size_t freedom) { return whole.loads[load].displacement[freedom]; };
+  const auto squared = [](double x) { return x * x; };
+  const double expected = 15 * 2 * squared(u(0, 48) - 4) + squared(u(0, 24) - 2) + squared(u(0, 25) + 0.5) +
+                          15 * squared(u(1, 49) - 3) + 15 * squared(u(2, 49) - 3);
+  EXPECT_NEAR(state.quality, std::sqrt(expected), 1e-12 * std::sqrt(expected));
+  EXPECT_NEAR(squared(state.quality / state.relative_error), 15 * 2 * 16.0 + 4 + 0.25 + 15 * 9 + 15 * 9, 1e-9);
+}
+
+// Held where the reference says that nodes went: the plate, moved at its border instead of pulled, is in the state that
+// those displacements belong to, and inner nodes of the exact lattice follow to rounding.
+TEST_F(Brought, SupportsCanFollowTheMeasurements) {
+  const auto plate = make_plate({.poisson = 1.0 / 3.0, .initial = "\"lattice\"", .supports = "minimal"});
+  write_plate(*plate);
+  std::ofstream(directory_.path() / "start.json")
+      << system_json(plate->net(), plate->stiffness(plate->space().start()));
+  std::string files = kFiles;
+  files.replace(files.find("\"paper\""), 7, "{ file = \"start.json\" }");
+  std::string cases;
+  for (const char* name : {"stretch-x", "stretch-y", "shear"})
+    cases += fmt::format(
+        "[[problem.loads.cases]]\nname = \"{}\"\nsupports = [{{ edge = \"outline\", measured = true }}]\n", name);
+  const auto brought = read(files + cases);
+  const State state = brought->solve(brought->stiffness(brought->space().start()));
+  ASSERT_EQ(state.status, Status::ok);
+  EXPECT_LT(state.relative_error, 1e-13);
+  EXPECT_EQ(brought->scene().loads.groups.size(), 3u);  // held at different places
+}
+
+TEST_F(Brought, SystemComesBackFromItsExport) {
+  const auto plate = make_plate({.supports = "minimal"});
+  write_plate(*plate, 7);
+  const auto first = read(kFiles + plate_cases(11));
+  std::vector<double> k(72);
+  std::iota(k.begin(), k.end(), 1.0);
+  write("system.json", system_json(first->net(), k));
+  const auto second = read(
+      "body = { size = [4, 4] }\npoints = { file = \"system.json\" }\nsprings = { file = \"system.json\" }\nreference "
+      "= "
+      "{ file = \"displacements.csv\" }\n" +
+      plate_cases(11));
+  EXPECT_EQ(second->net().ids, first->net().ids);
+  EXPECT_EQ(second->net().nodes, first->net().nodes);
+  const std::vector<double> start = second->stiffness(second->space().start());
+  for (std::size_t e = 0; e < 72; ++e) EXPECT_NEAR(start[e], k[e], 1e-13 * k[e]) << "through ln and exp";
+}
+
+TEST_F(Brought, StartWithoutStiffnessIsScaledBest) {
+  const auto plate = make_plate({.initial = "{ rule = \"paper\", scale = \"best\" }", .supports = "minimal"});
+  write_plate(*plate);
+  std::string files = kFiles;
+  files.replace(files.find(", initial = \"paper\""), 19, "");
+  EXPECT_NEAR(start_quality(*read(files + plate_cases(4))), start_quality(*plate), 1e-12);
+}
+
+TEST_F(Brought, WhatIsWrongIsSaidWithItsPlace) {
+  write_plate(*make_plate({.supports = "minimal"}));
+  const std::string cases = plate_cases(4);
+  EXPECT_EQ(refusal("points = { file = \"nodes.csv\" }\n" + cases),
+            "study.toml:3: nodes from a file need springs = { file = … }");
+  EXPECT_EQ(refusal("points = { file = \"none.csv\" }\nsprings = { file = \"springs.csv\" }\n"),
+            "cannot read node file 'none.csv': No such file or directory");
+  EXPECT_EQ(refusal("points = { file = \"nodes.csv\", counts = [3, 3] }\n"),
+            "study.toml:5: 'file' and 'counts' exclude each other");
+  const std::string files = kFiles;
+  EXPECT_NE(refusal(files.substr(0, files.find("reference")) + cases).find("cases of your own need reference = { file"),
+            std::string::npos);
+  EXPECT_EQ(refusal(kFiles + std::string("loads = { set = \"own\" }\n")), "study.toml:9: set = 'own' needs 'cases'");
+  EXPECT_EQ(refusal(kFiles + std::string("loads = { stress = 2, cases = [] }\n")),
+            "study.toml:9: set = 'own' needs 'cases'");
+
+  write("nodes.csv", "node,x,y\n1,0,0\n1,1,0\n");
+  EXPECT_EQ(refusal(kFiles), "nodes.csv:3: node 1 stands twice");
+  write("nodes.csv", "x,y\n0,0\n1,0\n1,1e-15\n");
+  EXPECT_EQ(refusal(kFiles), "nodes.csv:4: node 2 lies at the place of node 1: (1, 0)");
+  write("nodes.csv", "x,y\n0,0\n1,inf\n");
+  EXPECT_EQ(refusal(kFiles), "nodes.csv:3: 'y' is 'inf'; it must be a finite number");
+  write("nodes.csv", "x,y,mass\n0,0,1\n1,0,\n");
+  EXPECT_EQ(refusal(kFiles), "nodes.csv:3: the mass is missing; give it everywhere or nowhere");
+
+  write("nodes.csv", "x,y\n0,0\n4,0\n4,4\n0,4\n");
+  write("springs.csv", "first,second\n0,1\n1,9\n");
+  EXPECT_EQ(refusal(kFiles), "springs.csv:3: there is no node 9; the system has 4 nodes");
+  write("springs.csv", "first,second\n0,1\n2,2\n");
+  EXPECT_EQ(refusal(kFiles), "springs.csv:3: the spring joins node 2 to itself");
+  write("springs.csv", "first,second\n0,1\n1,0\n");
+  EXPECT_NE(refusal(kFiles).find("springs.csv:3: spring (1, 0) stands twice; the other one: springs.csv:2"),
+            std::string::npos)
+      << refusal(kFiles);
+  write("springs.csv", "first,second,stiffness\n0,1,-2\n");
+  EXPECT_EQ(refusal(kFiles), "springs.csv:2: the stiffness is -2; it must be a number > 0");
+}
+
+TEST_F(Brought, CasesThatDoNotFitAreSaidWithTheirPlace) {
+  write("nodes.csv", "x,y\n0,0\n4,0\n4,4\n0,4\n");
+  write("springs.csv", "first,second\n0,1\n1,2\n2,3\n3,0\n0,2\n");
+  write("displacements.csv", "node,ux,uy\n2,1,1\n");
+  const auto with = [&](const std::string& content) {
+    return refusal(std::string(kFiles) + "[[problem.loads.cases]]\nname = \"pull\"\n" + content);
+  };
+  const std::string held = "supports = [{ edge = \"bottom\" }]\n";
+  EXPECT_EQ(with(held),
+            "study.toml:9: nothing pulls or moves in load 'pull': give it forces, tractions, or supports "
+            "with a displacement");
+  EXPECT_EQ(with("forces = [{ force = [1, 0] }]\n"),
+            "study.toml:11: say for which nodes: by 'nodes', 'box', 'edge' or 'near'");
+  EXPECT_EQ(with("forces = [{ nodes = [2] }]\n"), "study.toml:11: 'force' or 'total' is missing");
+  EXPECT_EQ(with("forces = [{ nodes = [7], force = [1, 0] }]\n"),
+            "study.toml:11: there is no node 7; the system has 4 nodes");
+  EXPECT_EQ(with("forces = [{ edge = \"lleft\", force = [1, 0] }]\n"),
+            "study.toml:11: unknown edge 'lleft'; this body has left, right, bottom, top, outline, side-0 to side-3");
+  EXPECT_EQ(with("forces = [{ edge = \"left\", box = [1, 1, 2, 2], force = [1, 0] }]\n"),
+            "study.toml:11: no node is selected here; look at the nodes with a picture");
+  EXPECT_EQ(with("tractions = [{ nodes = [0, 2], traction = [1, 0] }]\n"),
+            "study.toml:11: no two neighbours on an outline are selected here, so there is no edge to pull at");
+  EXPECT_EQ(with("supports = [{ nodes = [0] }, { nodes = [0], fix = \"y\", displacement = [0, 1] }]\n"),
+            "study.toml:11: node 0 is held twice in y, at different displacements; the other place: " +
+                (directory_.path() / "study.toml:11").string().substr(directory_.path().string().size() + 1));
+  EXPECT_EQ(with("supports = [{ edge = \"bottom\" }, { nodes = [3], measured = true }]\n"),
+            "study.toml:9: node 3 is to be held as measured, but the reference has no ux of it in load 'pull'");
+
+  const std::string fine = held + "forces = [{ nodes = [2], force = [1, 0] }]\n";
+  EXPECT_EQ(with(fine), "(nothing was thrown)");
+  write("displacements.csv", "load,node,ux,uy\npush,2,1,1\n");
+  EXPECT_EQ(with(fine), "displacements.csv:2: the study has no load 'push'; did you mean 'pull'?");
+  write("displacements.csv", "x,y,ux,uy\n3.9,4,1,1\n");
+  EXPECT_EQ(with(fine),
+            "displacements.csv:2: there is no node at (3.9, 4); the nearest is node 2 at (4, 4), 0.1 m away");
+  write("displacements.csv", "node,ux,uy\n2,1,1\n2,1,1\n");
+  EXPECT_EQ(with(fine), "displacements.csv:3: node 2 stands twice in load 'pull'");
+  write("displacements.csv", "node,ux,uy\n2,,\n");
+  EXPECT_EQ(with(fine), "displacements.csv: no displacement is given for load 'pull'");
+  write("displacements.csv", "node,x,y,ux,uy\n");
+  EXPECT_EQ(with(fine), "displacements.csv:1: the columns must have either 'node', or both 'x' and 'y'");
+}
+
+// A constant stress around any outline balances, torque included; here around a plate with a hole.
+TEST_F(Brought, StressAroundAllOutlinesBalances) {
+  Net net;
+  net.body = rectangle_body({0, 0}, {3, 2});
+  net.body.rings.push_back({{1, 0.5}, {1, 1.5}, {2, 1}});
+  net.nodes = {{0, 0}, {1.2, 0}, {3, 0}, {3, 0.7}, {3, 2}, {0, 2}, {1, 0.5}, {1, 1.5}, {2, 1}, {0.5, 1}};
+  find_border(net);
+  EXPECT_EQ(net.outlines[0], (std::vector<std::size_t>{0, 1, 2, 3, 4, 5}));
+  EXPECT_EQ(net.outlines[1], (std::vector<std::size_t>{6, 7, 8}));
+  EXPECT_FALSE(net.on_border(9));
+  const LoadSet loads = make_plate_loads(net, {}, 2.0, SupportStyle::minimal);
+  for (const LoadCase& load : loads.loads) {
+    double fx = 0, fy = 0, torque = 0, size = 0;
+    for (std::size_t i = 0; i < net.nodes.size(); ++i) {
+      fx += load.forces[2 * i];
+      fy += load.forces[2 * i + 1];
+      torque += net.nodes[i][0] * load.forces[2 * i + 1] - net.nodes[i][1] * load.forces[2 * i];
+      size += std::abs(load.forces[2 * i]) + std::abs(load.forces[2 * i + 1]);
+    }
+    EXPECT_GT(size, 1.0);
+    EXPECT_NEAR(fx, 0.0, 1e-15 * size);
+    EXPECT_NEAR(fy, 0.0, 1e-15 * size);
+    EXPECT_NEAR(torque, 0.0, 1e-15 * size);
+  }
+}
+
+}  // namespace
+}  // namespace nodal::elastic
