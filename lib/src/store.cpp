@@ -140,6 +140,7 @@ Value problem_part(const StudyProblem& problem) {
     known.set("origin", problem.best_known->origin);
     part.set("best_known", known);
   }
+  if (Value details = problem.problem->details(); !details.table().empty()) part.set("details", std::move(details));
   return part;
 }
 

@@ -22,6 +22,7 @@
 
 #include <nodal/evaluator.h>
 #include <nodal/space.h>
+#include <nodal/value.h>
 
 namespace nodal {
 
@@ -72,6 +73,12 @@ class Problem {
   /// What `nodal explain` prints: stages in the order of the data flow, and remarks (sizes, limits, adjusted starts).
   [[nodiscard]] virtual std::vector<Stage> stages() const { return {}; }
   [[nodiscard]] virtual std::vector<std::string> remarks() const { return {}; }
+  /// How the problem was made, as data: into the manifest of a store and what `nodal evaluate --json` prints. An empty
+  /// table when there is nothing to say.
+  [[nodiscard]] virtual Value details() const { return {}; }
+  /// A hash of what determines the problem beyond its options: the contents of the files that they name. It is part of
+  /// every trial's key, so that a changed file makes new trials. Empty when options say it all.
+  [[nodiscard]] virtual std::string fingerprint() const { return {}; }
 
  protected:
   Problem() = default;

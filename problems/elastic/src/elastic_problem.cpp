@@ -109,6 +109,8 @@ State ElasticProblem::solve(std::span<const double> stiffness) const {
   return state;
 }
 
+std::string ElasticProblem::fingerprint() const { return scene().files_hash; }
+
 std::vector<Stage> ElasticProblem::stages() const {
   const Scene& s = scene();
   const ElasticModel& model = data_->model;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <nodal/elastic/elastic_problem.h>
 #include <nodal/elastic/stiffness.h>
+#include <nodal/random.h>
 
 #include <algorithm>
 #include <cmath>
@@ -8,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "energy_start.h"
+#include "files/text_file.h"
 #include "lanes/lane_instructions.h"
 #include "loads/study_loads.h"
 #include "scene/read_net.h"
@@ -132,6 +134,16 @@ MovesOptions read_moves(const Options& options, const Scene& scene) {
   return moves;
 }
 
+// The contents of the files that a scene is read from; that of a start counts by the start's values.
+std::string hash_files(const Options& options, const ProblemContext& context) {
+  std::string contents;
+  for (const char* table : {"body", "points", "springs", "reference"}) {
+    const Options part = options.table(table);
+    if (part.has("file")) contents += read_text_file(context.directory / part.text("file"), table) + '\0';
+  }
+  return contents.empty() ? std::string() : hash128(contents);
+}
+
 }  // namespace
 
 Scene make_scene(const Options& options, const ProblemContext& context) {
@@ -158,6 +170,7 @@ Scene make_scene(const Options& options, const ProblemContext& context) {
   scene.moves = read_moves(options.table("moves"), scene);
   scene.stiffness_bounds = read_bounds(springs, scene.material.young * body.thickness);
   read_start(springs, context, study.stiffness, scene);
+  scene.files_hash = hash_files(options, context);
   return scene;
 }
 

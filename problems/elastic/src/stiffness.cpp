@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <nodal/elastic/stiffness.h>
 
+#include <algorithm>
 #include <cmath>
+#include <map>
 #include <stdexcept>
+
+#include "springs/connections.h"
 
 namespace nodal::elastic {
 
@@ -28,20 +32,58 @@ std::vector<double> paper_stiffness(const Net& net, const Material& material) {
   return k;
 }
 
+namespace {
+
 // Every triangle of a grid is half a cell. A border spring of a cell is a side of one triangle in each triangulation; a
 // diagonal is a side of both triangles in its own. In a crossed grid each triangulation has half weight, so a diagonal
 // counts half of two triangles.
-std::vector<double> area_stiffness(const Net& net, const Material& material) {
-  if (net.grid.columns == 0)
-    throw std::invalid_argument(
-        "the 'area' rule needs springs that are the sides of triangles; these come from elsewhere");
+std::vector<double> areas_on_a_grid(const Net& net) {
   const double triangle = 0.5 * net.grid.cell[0] * net.grid.cell[1];
   const double diagonal_share = net.topology == "crossed" ? 1.0 : 2.0;
-  std::vector<double> k;
-  for (const Spring& s : net.springs) {
-    const double triangles = diagonal(s) ? diagonal_share : cells_beside(net, s);
-    k.push_back(material.young * net.body.thickness * triangles * triangle / (s.length * s.length));
+  std::vector<double> areas;
+  for (const Spring& s : net.springs) areas.push_back(triangle * (diagonal(s) ? diagonal_share : cells_beside(net, s)));
+  return areas;
+}
+
+double area_of(const Net& net, const Triangle& t) {
+  const Point &a = net.nodes[t[0]], &b = net.nodes[t[1]], &c = net.nodes[t[2]];
+  return 0.5 * ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]));
+}
+
+// The triangles at each side; at a spring that crosses one, the two triangles of the side that it crosses. Both kinds
+// count as a whole triangulation, half each where there are both: Σ over all springs is three times the area.
+std::vector<double> areas_of_triangles(const Net& net) {
+  std::map<NodePair, double> beside, crossed;
+  double area = 0.0;
+  for (const Triangle& t : net.triangles) {
+    area += area_of(net, t);
+    for (std::size_t s = 0; s < 3; ++s) beside[std::minmax(t[s], t[(s + 1) % 3])] += area_of(net, t);
   }
+  for (const TriangleSide& side : sides_of(net.triangles))
+    if (side.opposite.size() == 2) crossed[std::minmax(side.opposite[0], side.opposite[1])] += beside[side.ends];
+  std::vector<double> areas(net.springs.size(), 0.0);
+  std::vector<bool> is_side(areas.size());
+  double of_sides = 0.0, of_flips = 0.0;
+  for (std::size_t e = 0; e < areas.size(); ++e) {
+    const NodePair ends{net.springs[e].first, net.springs[e].second};
+    is_side[e] = beside.contains(ends);
+    areas[e] = is_side[e] ? beside[ends] : crossed[ends];
+    (is_side[e] ? of_sides : of_flips) += areas[e];
+  }
+  const double whole = of_flips > 0.0 && of_sides > 0.0 ? 1.5 * area : 3.0 * area;
+  for (std::size_t e = 0; e < areas.size(); ++e) areas[e] *= whole / (is_side[e] ? of_sides : of_flips);
+  return areas;
+}
+
+}  // namespace
+
+std::vector<double> area_stiffness(const Net& net, const Material& material) {
+  if (net.grid.columns == 0 && net.triangles.empty())
+    throw std::invalid_argument("the 'area' rule needs springs that are the sides of triangles, and these are not");
+  const std::vector<double> areas = net.grid.columns > 0 ? areas_on_a_grid(net) : areas_of_triangles(net);
+  std::vector<double> k;
+  for (std::size_t e = 0; e < areas.size(); ++e)
+    k.push_back(material.young * net.body.thickness * areas[e] / (net.springs[e].length * net.springs[e].length));
   return k;
 }
 

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <nodal/elastic/stiffness.h>
+#include <nodal/trial.h>
 #include "../../lib/messages.h"
 #include "../../lib/temporary_directory.h"
 #include "files/csv.h"
@@ -219,6 +220,18 @@ TEST_F(Brought, StartWithoutStiffnessIsScaledBest) {
   std::string files = kFiles;
   files.replace(files.find(", initial = \"paper\""), 19, "");
   EXPECT_NEAR(start_quality(*read(files + plate_cases(4))), start_quality(*plate), 1e-12);
+}
+
+// Results of other measurements must not pass for these.
+TEST_F(Brought, AChangedFileMakesOtherTrials) {
+  write_plate(*make_plate({.supports = "minimal"}));
+  const std::string text = "[study]\nname = \"b\"\n[budget]\nevaluations = 10\n[problem]\nkind = \"elastic\"\n" +
+                           (kFiles + plate_cases(4)) + "[[optimizer]]\nuse = \"random-search\"\n";
+  const auto key = [&] { return trial_key(parse_study(text, directory_.path() / "s.toml", components()), {0, 0, 0}); };
+  const std::string before = key();
+  EXPECT_EQ(key(), before);
+  std::ofstream(directory_.path() / "displacements.csv", std::ios::app) << "# again\n";
+  EXPECT_NE(key(), before);
 }
 
 TEST_F(Brought, WhatIsWrongIsSaidWithItsPlace) {

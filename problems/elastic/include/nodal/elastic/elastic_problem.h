@@ -44,6 +44,7 @@ struct Scene {
   std::string initial_rule;                     ///< for `explain`
   std::string solver = "auto";                  ///< auto | lanes | simplicial | supernodal
   double stress = 1.0;                          ///< of the plate loads
+  std::string files_hash;          ///< of the contents of all files that the scene was read from; empty without any
   std::string measured_reference;  ///< where the reference comes from, for `explain`; empty for the closed form
   MovesOptions moves = {};
 
@@ -85,6 +86,7 @@ class ElasticProblem final : public Problem {
   [[nodiscard]] std::optional<double> relative_error(double cost) const override;
   [[nodiscard]] std::vector<Stage> stages() const override;
   [[nodiscard]] std::vector<std::string> remarks() const override;
+  [[nodiscard]] std::string fingerprint() const override;
 
   [[nodiscard]] const Scene& scene() const noexcept;
   [[nodiscard]] const Net& net() const noexcept { return scene().net; }

@@ -16,8 +16,9 @@ namespace nodal::elastic {
 
 /// `paper`: k = E·t·s0/4 (section 5.2).
 [[nodiscard]] std::vector<double> paper_stiffness(const Net& net, const Material& material);
-/// `area`: k = E·t·Σ(areas of the triangles at the spring)/L² (Van Gelder 1998); a crossed grid counts the two
-/// triangulations of each cell at half weight. Satisfies Σ k L² = 3 E A t.
+/// `area`: k = E·t·Σ(areas of the triangles at the spring)/L² (Van Gelder 1998). Springs that cross a side of two
+/// triangles count these two; a crossed grid, and a net with such flips, counts both kinds at half weight. Satisfies
+/// Σ k L² = 3 E A t. std::invalid_argument for a net that is neither a grid nor made of triangles.
 [[nodiscard]] std::vector<double> area_stiffness(const Net& net, const Material& material);
 /// `lattice`: axial ¾E't, diagonal ⅜E't, border axial ⅜E't; exact at ν' = 1/3.
 /// std::invalid_argument unless the grid is crossed with square cells.
