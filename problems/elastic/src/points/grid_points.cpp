@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "points/grid_points.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "points/border_points.h"
+
+namespace nodal::elastic {
+
+namespace {
+
+constexpr double kMostNodes = 4e6;
+
+// The lattice over the bounding box.
+struct Lattice {
+  Point low, step;  // rows and columns of an even row
+  double shift;     // of odd rows
+  std::size_t columns, rows;
+
+  [[nodiscard]] Point at(std::size_t column, std::size_t row) const {
+    const double x = static_cast<double>(column) * step[0] + (row % 2 == 1 ? shift : 0.0);
+    return {low[0] + x, low[1] + static_cast<double>(row) * step[1]};
+  }
+};
+
+Lattice make_lattice(const Outline& outline, const Point& spacing, GridCells cells) {
+  const bool triangular = cells == GridCells::triangular;
+  const Point step = {spacing[0], triangular ? 0.5 * std::numbers::sqrt3 * spacing[0] : spacing[1]};
+  for (const double h : step)
+    if (!(h > 0.0) || !std::isfinite(h))
+      throw std::invalid_argument(fmt::format("a grid's spacing must be positive, not {}", h));
+  const Box& box = outline.box();
+  const double columns = std::floor(box.width() / step[0] + kOnOutline) + 1.0;
+  const double rows = std::floor(box.height() / step[1] + kOnOutline) + 1.0;
+  if (!(columns * rows <= kMostNodes))
+    throw std::invalid_argument(
+        fmt::format("a spacing of {} × {} asks for a grid of {:.3g} nodes; at most four million are made", step[0],
+                    step[1], columns * rows, kMostNodes));
+  return {box.low, step, triangular ? 0.5 * step[0] : 0.0, static_cast<std::size_t>(columns),
+          static_cast<std::size_t>(rows)};
+}
+
+// Which node is at a column and row.
+class NodeTable {
+ public:
+  explicit NodeTable(const GridPoints& grid)
+      : columns_(grid.columns), rows_(grid.rows), nodes_(grid.columns * grid.rows, kNone) {
+    for (std::size_t i = 0; i < grid.grid.size(); ++i) nodes_[grid.grid[i].row * columns_ + grid.grid[i].column] = i;
+  }
+
+  static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+
+  /// kNone beyond the grid as well: columns and rows below 0 wrap to huge ones.
+  [[nodiscard]] std::size_t at(std::size_t column, std::size_t row) const {
+    return column < columns_ && row < rows_ ? nodes_[row * columns_ + column] : kNone;
+  }
+  [[nodiscard]] bool has_cell(std::size_t column, std::size_t row) const {
+    return at(column, row) != kNone && at(column + 1, row) != kNone && at(column, row + 1) != kNone &&
+           at(column + 1, row + 1) != kNone;
+  }
+
+ private:
+  std::size_t columns_, rows_;
+  std::vector<std::size_t> nodes_;
+};
+
+// The nodes after (column, row) in the numbering that it is joined with.
+std::vector<std::size_t> partners(const NodeTable& nodes, const GridPlace& place, const std::string& topology) {
+  const auto [column, row] = place;
+  std::vector<std::size_t> found = {nodes.at(column + 1, row)};
+  if (topology == "triangular") {
+    const std::size_t left = row % 2 == 1 ? column : column - 1;
+    found.push_back(nodes.at(left, row + 1));
+    found.push_back(nodes.at(left + 1, row + 1));
+    return found;
+  }
+  const bool crossed = topology == "crossed", alternating = topology == "alternating";
+  if ((crossed || (alternating && (column - 1 + row) % 2 == 1)) && nodes.has_cell(column - 1, row))
+    found.push_back(nodes.at(column - 1, row + 1));
+  found.push_back(nodes.at(column, row + 1));
+  if ((crossed || topology == "single" || (alternating && (column + row) % 2 == 0)) && nodes.has_cell(column, row))
+    found.push_back(nodes.at(column + 1, row + 1));
+  return found;
+}
+
+}  // namespace
+
+GridPoints make_exact_grid(const Outline& outline, const Point& spacing, GridCells cells) {
+  const Lattice lattice = make_lattice(outline, spacing, cells);
+  GridPoints made;
+  made.columns = lattice.columns;
+  made.rows = lattice.rows;
+  made.cells = cells;
+  for (std::size_t row = 0; row < lattice.rows; ++row)
+    for (std::size_t column = 0; column < lattice.columns; ++column) {
+      const Point at = lattice.at(column, row);
+      if (!outline.contains(at)) continue;
+      made.points.add(at, find_place(outline, at));
+      made.grid.push_back({column, row});
+    }
+  return made;
+}
+
+PlacedPoints make_fitted_grid(const Outline& outline, const Point& spacing, GridCells cells) {
+  const Lattice lattice = make_lattice(outline, spacing, cells);
+  const Point gaps = {spacing[0], cells == GridCells::triangular ? spacing[0] : spacing[1]};
+  RandomStream unused(0);
+  PlacedPoints made = make_border_points(outline, border_gaps(outline, gaps), BorderSpread::evenly, unused);
+  const double keep = 0.5 * std::min(gaps[0], gaps[1]) - outline.tolerance();
+  for (std::size_t row = 0; row < lattice.rows; ++row)
+    for (std::size_t column = 0; column < lattice.columns; ++column) {
+      const Point at = lattice.at(column, row);
+      if (outline.surrounds(at) && outline.distance(at, keep) >= keep) made.add(at);
+    }
+  return made;
+}
+
+std::vector<std::array<std::size_t, 2>> join_grid(const Outline& outline, const GridPoints& grid,
+                                                  const std::string& topology) {
+  const bool triangular = topology == "triangular";
+  const bool known =
+      triangular || std::ranges::any_of(topologies(), [&](const Topology& t) { return t.name == topology; });
+  if (!known || triangular != (grid.cells == GridCells::triangular))
+    throw std::invalid_argument(fmt::format("a grid of {} cells can't be joined by '{}'",
+                                            grid.cells == GridCells::triangular ? "triangular" : "rectangular",
+                                            topology));
+  const NodeTable nodes(grid);
+  std::vector<std::array<std::size_t, 2>> springs;
+  for (std::size_t i = 0; i < grid.grid.size(); ++i)
+    for (const std::size_t j : partners(nodes, grid.grid[i], topology))
+      if (j != NodeTable::kNone && outline.covers(grid.points.points[i], grid.points.points[j]))
+        springs.push_back({i, j});
+  return springs;
+}
+
+}  // namespace nodal::elastic
