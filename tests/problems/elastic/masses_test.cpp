@@ -260,6 +260,8 @@ TEST(LeastNormMasses, NameTheConditionThatTwoRowsFail) {
   EXPECT_NEAR(m.failing[0].implied, 5.0 / 4.0, 1e-13);
   EXPECT_NEAR(m.failing[0].wanted, 5.0 / 12.0, 1e-13);
   EXPECT_FALSE(m.failing[0].consistent);
+  for (std::size_t k = 0; k < 5; ++k) EXPECT_LT(m.moments[k].relative, 1e-14);  // all others are met
+  EXPECT_NEAR(m.moments[5].relative, 1.0 - 1.0 / 3.0, 1e-14);
   EXPECT_NE(m.message.find("two rows"), std::string::npos);
   expect_proof(m, points, target, std::vector<double>(points.size(), 0.0));
   expect_proof(positive_masses(points, target, std::vector<double>(12, 5.0 / 12), 0.1), points, target,
@@ -355,6 +357,7 @@ TEST_P(PositiveMasses, AreFoundOrProvedImpossible) {
     const Masses m = positive_masses(points, target, v);
     if (m.outcome == MassOutcome::found) {
       ++found;
+      EXPECT_TRUE(m.nearest);
       EXPECT_LT(moment_error(points, m.masses, target), 1e-12);
       for (std::size_t i = 0; i < v.size(); ++i) EXPECT_GE(m.masses[i], kSmallestMassShare * v[i]);
       EXPECT_GT(m.smallest, 0.0);
@@ -432,6 +435,30 @@ TEST(PositiveMasses, AreExactlyThoseOfTheSameBodyElsewhereAndLarger) {
   ASSERT_EQ(b.outcome, MassOutcome::found) << b.message;
   // The places were rounded to 1e6 · 1e-16, which is 1e-13 of the size.
   for (std::size_t i = 0; i < points.size(); ++i) EXPECT_NEAR(b.masses[i] / (1024.0 * 1024.0), a.masses[i], 1e-9);
+}
+
+// Moments of masses of which all but three to five are at their bounds: on or next to the border of what is feasible,
+// where multipliers grow without limit. Masses are found all the same, and meet bounds and moments.
+TEST(PositiveMasses, AreFoundOnTheBorderOfWhatIsFeasible) {
+  for (std::uint64_t seed = 1; seed <= 500; ++seed) {
+    RandomStream random(seed);
+    const std::size_t count = 6 + random.index(30);
+    const std::vector<Point> points = random_points(count, seed + 1000);
+    const std::vector<double> v(count, 1.0 / static_cast<double>(count));
+    MassTarget target{.moments = {}, .origin = {0.5, 0.5}};
+    Moments& t = target.moments;
+    const std::size_t above = 3 + random.index(3);
+    for (std::size_t i = 0; i < count; ++i) {
+      const double x = points[i][0] - 0.5, y = points[i][1] - 0.5;
+      const double mass = 0.01 * v[i] + (i < above ? random.uniform() : 0.0);
+      t.area += mass, t.first[0] += mass * x, t.first[1] += mass * y;
+      t.xx += mass * x * x, t.xy += mass * x * y, t.yy += mass * y * y;
+    }
+    const Masses m = positive_masses(points, target, v, 0.01);
+    ASSERT_EQ(m.outcome, MassOutcome::found) << "seed " << seed << ": " << m.message;
+    EXPECT_LT(moment_error(points, m.masses, target), 1e-11);
+    for (std::size_t i = 0; i < count; ++i) EXPECT_GE(m.masses[i], 0.01 * v[i] * (1 - 1e-15));
+  }
 }
 
 // Nodes in one half of the body have no centre of mass in its middle.

@@ -70,10 +70,11 @@ struct MassCertificate {
 
 struct Masses {
   MassOutcome outcome = MassOutcome::undecided;
-  std::vector<double> masses;          ///< [nodes]; where moments can't be met, those that come closest
+  std::vector<double> masses;          ///< [nodes]; where moments can't be met, some that come close to those that can
   std::array<MomentError, 6> moments;  ///< in the order of A's rows
   double smallest = 0.0;               ///< the smallest mass, which may be negative in the least-norm form
   std::size_t rank = 0;
+  bool nearest = false;                   ///< positive form: these are the nearest to the Voronoi masses, to rounding
   std::vector<FailingCondition> failing;  ///< 6 − rank of them
   std::optional<MassCertificate> certificate;
   std::string message;  ///< for people: what was found, and what fails for which reason

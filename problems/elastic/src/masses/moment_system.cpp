@@ -102,12 +102,30 @@ MomentSystem::MomentSystem(const std::vector<Point>& points, const MassTarget& w
   to_moments = svd.matrixV().leftCols(r);
   singular = values.head(r);
   undetermined = svd.matrixV().rightCols(6 - r);
+  solve_for_determined();
 }
 
-Eigen::VectorXd MomentSystem::residual(const Eigen::VectorXd& masses) const {
+// A reduced echelon form of the null vectors, with the columns in this order.
+void MomentSystem::solve_for_determined() {
+  constexpr std::array<Eigen::Index, 6> order = {5, 3, 4, 2, 1, 0};
+  conditions = undetermined.transpose();
+  for (const Eigen::Index column : order) {
+    const auto done = static_cast<Eigen::Index>(determined.size());
+    if (done == conditions.rows()) break;
+    Eigen::Index at = 0;
+    if (conditions.col(column).tail(conditions.rows() - done).cwiseAbs().maxCoeff(&at) < 1e-6) continue;
+    conditions.row(done).swap(conditions.row(done + at));
+    conditions.row(done) /= conditions(done, column);
+    for (Eigen::Index other = 0; other < conditions.rows(); ++other)
+      if (other != done) conditions.row(other) -= (conditions(other, column) * conditions.row(done)).eval();
+    determined.push_back(column);
+  }
+}
+
+Eigen::VectorXd MomentSystem::residual(const Eigen::VectorXd& wanted, const Eigen::VectorXd& masses) const {
   Eigen::VectorXd rest(6);
   for (Eigen::Index k = 0; k < 6; ++k) {
-    long double sum = target[k];
+    long double sum = wanted[k];
     for (Eigen::Index i = 0; i < masses.size(); ++i) sum -= static_cast<long double>(rows(k, i)) * masses[i];
     rest[k] = static_cast<double>(sum);
   }
@@ -122,35 +140,26 @@ bool MomentSystem::consistent() const {
   return undetermined.cols() == 0 || (undetermined.transpose() * target).cwiseAbs().maxCoeff() <= kMomentError;
 }
 
+Eigen::VectorXd MomentSystem::attainable() const {
+  Eigen::VectorXd p = target;
+  const Eigen::VectorXd gaps = conditions * target;
+  for (std::size_t c = 0; c < determined.size(); ++c) p[determined[c]] -= gaps[static_cast<Eigen::Index>(c)];
+  return p;
+}
+
 std::vector<FailingCondition> MomentSystem::failing() const {
-  // Each null vector is solved for the moment that it determines, second moments first: a reduced echelon form with the
-  // columns in this order.
-  constexpr std::array<Eigen::Index, 6> order = {5, 3, 4, 2, 1, 0};
-  Eigen::MatrixXd conditions = undetermined.transpose();
   std::vector<FailingCondition> found;
-  std::vector<Eigen::Index> pivots;
-  for (const Eigen::Index column : order) {
-    const auto done = static_cast<Eigen::Index>(pivots.size());
-    if (done == conditions.rows()) break;
-    Eigen::Index at = 0;
-    if (conditions.col(column).tail(conditions.rows() - done).cwiseAbs().maxCoeff(&at) < 1e-6) continue;
-    conditions.row(done).swap(conditions.row(done + at));
-    conditions.row(done) /= conditions(done, column);
-    for (Eigen::Index other = 0; other < conditions.rows(); ++other)
-      if (other != done) conditions.row(other) -= conditions(other, column) * conditions.row(done).eval();
-    pivots.push_back(column);
-  }
-  for (std::size_t c = 0; c < pivots.size(); ++c) {
-    const Eigen::Index pivot = pivots[c];
-    Eigen::VectorXd q = conditions.row(static_cast<Eigen::Index>(c)).transpose();
-    const double unit = mass * std::pow(scale[0], kMonomialPowers[static_cast<std::size_t>(pivot)][0]) *
-                        std::pow(scale[1], kMonomialPowers[static_cast<std::size_t>(pivot)][1]);
-    const double gap = q.dot(target);
+  const Eigen::VectorXd implied = attainable();
+  for (std::size_t c = 0; c < determined.size(); ++c) {
+    const Eigen::VectorXd q = conditions.row(static_cast<Eigen::Index>(c)).transpose();
+    const Eigen::Index k = determined[c];
+    const auto& power = kMonomialPowers[static_cast<std::size_t>(k)];
+    const double unit = mass * std::pow(scale[0], power[0]) * std::pow(scale[1], power[1]);
     FailingCondition condition;
-    condition.moment = kNames[static_cast<std::size_t>(pivot)];
-    condition.wanted = target[pivot] * unit;
-    condition.implied = (target[pivot] - gap) * unit;
-    condition.consistent = std::abs(gap) <= kMomentError * (1.0 + q.cwiseAbs().sum());
+    condition.moment = kNames[static_cast<std::size_t>(k)];
+    condition.wanted = target[k] * unit;
+    condition.implied = implied[k] * unit;
+    condition.consistent = std::abs(target[k] - implied[k]) <= kMomentError * (1.0 + q.cwiseAbs().sum());
     condition.reason =
         fmt::format("{}, so {} is no moment of its own",
                     describe_curve(std::span<const double, 6>(q.data(), 6), middle, scale), condition.moment);

@@ -12,7 +12,8 @@
 
 namespace nodal::elastic {
 
-struct MomentSystem {
+class MomentSystem {
+ public:
   MomentSystem(const std::vector<Point>& points, const MassTarget& target);
 
   double mass = 0.0;             ///< of the body; masses below are shares of it
@@ -25,12 +26,20 @@ struct MomentSystem {
   Eigen::VectorXd singular;      ///< Σ: r
   Eigen::MatrixXd undetermined;  ///< 6 × (6 − r): combinations of rows that vanish on all nodes
 
+  /// The same combinations, solved each for the moment that it determines, second moments first: conditions · A = 0,
+  /// conditions(c, determined[c]) = 1.
+  Eigen::MatrixXd conditions;
+  std::vector<Eigen::Index> determined;
+
   /// p − A m, summed in extended precision.
-  [[nodiscard]] Eigen::VectorXd residual(const Eigen::VectorXd& masses) const;
+  [[nodiscard]] Eigen::VectorXd residual(const Eigen::VectorXd& masses) const { return residual(target, masses); }
+  [[nodiscard]] Eigen::VectorXd residual(const Eigen::VectorXd& wanted, const Eigen::VectorXd& masses) const;
   /// Σ⁻¹ Vᵀ: from moments to the coordinates of Uᵀ m.
   [[nodiscard]] Eigen::VectorXd reduced(const Eigen::VectorXd& moments) const;
   /// The part of p that no masses can meet is within rounding.
   [[nodiscard]] bool consistent() const;
+  /// p with the determined moments as the others imply them: what the nodes can meet.
+  [[nodiscard]] Eigen::VectorXd attainable() const;
   [[nodiscard]] std::vector<FailingCondition> failing() const;
   /// Coefficients y as a certificate against masses above `lower`, made nonnegative on the nodes by the row of ones;
   /// nothing when the sum doesn't come out negative by more than rounding.
@@ -38,6 +47,9 @@ struct MomentSystem {
                                                            const Eigen::VectorXd& lower) const;
   /// Masses, errors, smallest, rank, failing conditions; outcome found or undecided by the errors.
   [[nodiscard]] Masses result(const Eigen::VectorXd& masses) const;
+
+ private:
+  void solve_for_determined();
 };
 
 /// "all six moments are met" or what isn't, with the failing conditions.

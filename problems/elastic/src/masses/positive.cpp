@@ -31,24 +31,31 @@ class Dual {
   Eigen::VectorXd masses() const { return z_.cwiseMax(w_); }
   Eigen::VectorXd gradient() const { return u_.transpose() * masses() - b_; }
 
-  // Newton steps until the gradient is rounding; false when they run out or θ has no minimum along a direction.
-  bool minimize() {
+  // Newton steps until the gradient is rounding, or no better one is found; the best point is kept. Every point fulfils
+  // the conditions of optimality but Uᵀm = b, so the gradient alone says how good it is. Where only one set of masses
+  // is feasible λ runs off to infinity, and the best point is one on its way.
+  void minimize() {
     constexpr int kSteps = 100;
+    Eigen::VectorXd best = z_;
     double least = std::numeric_limits<double>::infinity();
     for (int step = 0; step < kSteps; ++step) {
       const Eigen::VectorXd g = gradient();
       const double norm = g.norm();
-      if (norm <= kEpsilon * scale_) return true;
-      // Near the end the gradient falls no further.
-      if (norm <= 64.0 * kEpsilon * scale_ && norm > 0.5 * least) return true;
-      least = std::min(least, norm);
+      if (norm < least) {
+        least = norm;
+        best = z_;
+      }
+      if (norm <= 4.0 * kEpsilon * scale_) break;
       const Eigen::VectorXd direction = -regularized_hessian(norm).ldlt().solve(g);
       const double length = exact_step(direction);
-      if (!std::isfinite(length)) return false;
+      if (!std::isfinite(length)) break;
       z_ += length * (u_ * direction);
     }
-    return false;
+    z_ = best;
   }
+
+  // λ is so large that v + U λ has lost the digits of masses.
+  bool degenerate() const { return kEpsilon * z_.cwiseAbs().maxCoeff() > 1e-10; }
 
  private:
   // Σ over the free masses of u uᵀ (at most the unit matrix), plus a multiple of it that vanishes with the gradient:
@@ -110,17 +117,14 @@ Masses positive_masses(const std::vector<Point>& points, const MassTarget& targe
   const MomentSystem system(points, target);
   const Eigen::VectorXd v = relative(voronoi_masses, system.mass, points.size()), lower = share * v;
 
-  // Is there any? Uᵀ s = Σ⁻¹Vᵀ(p − A lower), s ≥ 0. Where the rank is deficient, p must be in A's range first.
-  Eigen::VectorXd closest = lower, against;
-  if (!system.consistent()) {
-    against = -system.undetermined * (system.undetermined.transpose() * system.target);
-    closest = v;
-  } else {
-    const NonnegativeSolution some =
-        nonnegative_least_squares(system.orthonormal.transpose(), system.reduced(system.residual(lower)));
-    against = -system.to_moments * some.residual.cwiseQuotient(system.singular);
-    closest += some.s;
-  }
+  // Is there any? Uᵀ s = Σ⁻¹Vᵀ(p − A lower), s ≥ 0. Where the rank is deficient, p must be in A's range besides.
+  const Eigen::VectorXd wanted = system.consistent() ? system.target : system.attainable();
+  const NonnegativeSolution some =
+      nonnegative_least_squares(system.orthonormal.transpose(), system.reduced(system.residual(wanted, lower)));
+  const Eigen::VectorXd closest = lower + some.s;
+  const Eigen::VectorXd against =
+      system.consistent() ? Eigen::VectorXd(-system.to_moments * some.residual.cwiseQuotient(system.singular))
+                          : Eigen::VectorXd(-system.undetermined * (system.undetermined.transpose() * system.target));
   if (auto certificate = system.certificate(against, lower)) {
     Masses none = system.result(closest);
     none.outcome = MassOutcome::infeasible;
@@ -134,13 +138,22 @@ Masses positive_masses(const std::vector<Point>& points, const MassTarget& targe
 
   const Eigen::VectorXd b = system.reduced(system.target);
   Dual dual(system.orthonormal, b, v, lower);
-  const bool settled = dual.minimize();
+  dual.minimize();
   Masses made = system.result(dual.masses());
-  if (!settled) made.outcome = MassOutcome::undecided;
+  made.nearest = made.outcome == MassOutcome::found && !dual.degenerate();
+  if (made.outcome != MassOutcome::found) {
+    Masses feasible = system.result(closest);
+    if (feasible.outcome == MassOutcome::found) made = std::move(feasible);
+  }
   made.message = describe(made);
   if (made.outcome == MassOutcome::undecided)
-    made.message += fmt::format("; neither masses nor a proof that there are none were found, residual {:.3g}",
-                                dual.gradient().norm());
+    made.message += fmt::format(
+        "; neither masses nor a proof that there are none were found: least residuals {:.3g} and "
+        "{:.3g}",
+        dual.gradient().norm(), some.residual.norm());
+  else if (!made.nearest)
+    made.message +=
+        "; hardly any other masses do, so that these can't be shown to be the nearest to the Voronoi regions'";
   return made;
 }
 
