@@ -7,22 +7,13 @@
 
 #include <fmt/format.h>
 
+#include "body/body_options.h"
 #include "energy_start.h"
 #include "lanes/lane_instructions.h"
 
 namespace nodal::elastic {
 
 namespace {
-
-Body read_body(const Options& options) {
-  const Options body = options.table("body");
-  const std::vector<double> size = body.numbers("size");
-  for (const double side : size)
-    if (!(side > 0.0))
-      throw InputError(body.at("size").source,
-                       fmt::format("'size' in 'body' has a side of {}; sides must be > 0", side));
-  return rectangle_body({0.0, 0.0}, {size[0], size[1]}, body.number("thickness"));
-}
 
 Material read_material(const Options& options) {
   const Options material = options.table("material");
@@ -64,7 +55,13 @@ Net read_net(const Options& options, const Body& body) {
         fmt::format("topology '{}' is a mechanism: without diagonals its cells shear without resistance; take "
                     "'single', 'alternating' or 'crossed'",
                     topology));
-  return make_grid_net(body, static_cast<std::size_t>(counts[0]), static_cast<std::size_t>(counts[1]), topology);
+  try {
+    return make_grid_net(body, static_cast<std::size_t>(counts[0]), static_cast<std::size_t>(counts[1]), topology);
+  } catch (const std::invalid_argument& error) {
+    throw InputError(points.at("layout").source, fmt::format("layout 'grid' doesn't fit body '{}': {}; take shape "
+                                                             "'rectangle'",
+                                                             body.name, error.what()));
+  }
 }
 
 std::array<double, 2> read_bounds(const Options& springs, double unit) {
@@ -151,7 +148,7 @@ MovesOptions read_moves(const Options& options, const Scene& scene) {
 
 Scene make_scene(const Options& options, const ProblemContext& context) {
   Scene scene;
-  const Body body = read_body(options);
+  const Body body = read_body(options.table("body"), context);
   scene.material = read_material(options);
   scene.net = read_net(options, body);
 

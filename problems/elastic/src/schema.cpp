@@ -2,6 +2,7 @@
 #include <nodal/elastic/elastic_problem.h>
 #include <nodal/provenance.h>
 
+#include "body/body_options.h"
 #include "cholesky.h"
 
 namespace nodal {
@@ -20,17 +21,6 @@ Value integers(std::initializer_list<int> values) {
   Value::List list;
   for (const int value : values) list.emplace_back(value);
   return Value(list);
-}
-
-OptionSchema body_fields() {
-  return {
-      {.name = "shape", .type = OptionType::text, .default_value = "rectangle", .choices = {"rectangle"},
-       .help = "outline of the body"},
-      {.name = "size", .type = OptionType::number_list, .default_value = numbers({4.0, 4.0}), .unit = "m", .minimum = 0.0,
-       .minimum_excluded = true, .length = 2, .help = "width and height"},
-      {.name = "thickness", .type = OptionType::number, .default_value = 1.0, .unit = "m", .minimum = 0.0,
-       .minimum_excluded = true, .help = "thickness of the plate"},
-  };
 }
 
 OptionSchema material_fields() {
