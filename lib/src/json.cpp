@@ -63,10 +63,13 @@ class CountingIterator {
 // Builds a Value from nlohmann's events; it, unlike the document model, sees doubled keys and positions.
 class ValueBuilder final : public nlohmann::json_sax<nlohmann::json> {
  public:
-  ValueBuilder(std::string_view text, const std::string& name, const std::size_t& position)
-      : name_(name), position_(position), lines_(text) {}
+  ValueBuilder(std::string_view text, const std::string& name, const std::size_t& position, JsonNull null)
+      : name_(name), position_(position), lines_(text), null_(null) {}
 
-  bool null() override { refuse("null is not a value here; leave the key out instead"); }
+  bool null() override {
+    if (null_ == JsonNull::left_out && !open_.empty() && open_.back().is_table()) return true;
+    refuse("null is not a value here; leave the key out instead");
+  }
   bool boolean(bool value) override { return add(Value(value)); }
   bool number_integer(number_integer_t value) override { return add(Value(static_cast<std::int64_t>(value))); }
   bool number_unsigned(number_unsigned_t value) override {
@@ -131,6 +134,7 @@ class ValueBuilder final : public nlohmann::json_sax<nlohmann::json> {
   const std::string& name_;
   const std::size_t& position_;
   LineCounter lines_;
+  JsonNull null_;
   Value root_;
   std::vector<Value> open_;
   std::vector<std::string> keys_;
@@ -246,9 +250,9 @@ void write(const Value& value, bool canonical, std::string& out) {
 
 }  // namespace
 
-Value parse_json(std::string_view text, const std::string& name) {
+Value parse_json(std::string_view text, const std::string& name, JsonNull null) {
   std::size_t position = 0;
-  ValueBuilder builder(text, name, position);
+  ValueBuilder builder(text, name, position, null);
   const CountingIterator begin(text.data(), &position), end(text.data() + text.size(), &position);
   nlohmann::json::sax_parse(begin, end, &builder);
   return std::move(builder).result();

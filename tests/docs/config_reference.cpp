@@ -95,9 +95,18 @@ problem can't give is refused when the study is read; one that this build lacks 
 
 )";
 
-// Rules that no single range can express; problems/elastic/src/scene.cpp checks them.
+// Rules that no single range can express; problems/elastic/src/scene.cpp and body/body_options.cpp check them.
 constexpr std::string_view kElasticRules = R"(Rules between these keys:
 
+- `body`: `size` and `corner` belong to shape `rectangle`; `radius`, `sides` and `centre` to `disc`, `ring` and
+  `regular`, `inner_radius` to `ring`, `turn` to `regular`; `outline` and `holes` to `polygon`; `file` to `file`. A key
+  of another shape is refused, and `disc`, `ring`, `regular`, `polygon` and `file` need those without a default.
+- `body.inner_radius` is smaller than what the outer polygon leaves: `radius` × cos(180° / `sides`).
+- A ring of points is closed by itself; its first point may stand again at the end, and in a file must. Either way
+  round will do: `nodal explain` says which rings were turned round. Refused, with their place, are points that
+  coincide, sides that cross, touch or fold back, rings without area, holes not inside the outline or within each
+  other, and an outline so far from the origin that its coordinates are rounded to more than 1e-9 of its size.
+- A body other than an upright `rectangle` can't be filled by `points.layout = "grid"`.
 - `points.counts`: at least 2 in each direction, at most 1,000,000 nodes.
 - `springs.bounds`: 0 < lower < upper. They are multiplied by `material.young` and `body.thickness`: N/m.
 - `springs.initial`: as a table it has either `rule` or `file`. `lattice` needs `topology = "crossed"` and square cells.

@@ -142,6 +142,13 @@ TEST(Json, RefusesNull) {
   EXPECT_EQ(refusal("null"), "f.json:1: null is not a value here; leave the key out instead");
 }
 
+TEST(Json, LeavesNullKeysOutWhereAsked) {
+  const auto read = [](std::string_view text) { return parse_json(text, "f.json", JsonNull::left_out); };
+  EXPECT_EQ(read(R"({"a": null, "b": {"c": null, "d": 1}, "e": null})"), read(R"({"b": {"d": 1}})"));
+  for (const char* text : {"null", "[null]", R"({"a": [1, null]})"})
+    EXPECT_EQ(message_of([&] { (void)read(text); }), "f.json:1: null is not a value here; leave the key out instead");
+}
+
 TEST(Json, NamesTheLineOfWhatIsMalformed) {
   const std::pair<const char*, int> texts[] = {
       {"", 1},       {"{", 1},           {"[1,\n2,\n]", 3},    {"{\"a\" 1}", 1}, {"[1]\n[2]", 2},      {"[01]", 1},

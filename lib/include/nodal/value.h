@@ -75,9 +75,15 @@ class Value {
   std::variant<bool, std::int64_t, double, std::string, List, Table> data_;
 };
 
+/// What becomes of a null. Our own files say "not there" by leaving the key out; other people's formats say it by null.
+enum class JsonNull {
+  refused,
+  left_out  ///< as the value of a key: as if the key weren't there; elsewhere refused
+};
+
 /// Reads one JSON text. InputError (with `name` and the line) for anything malformed, a key that stands twice in one
-/// table, or a null: "not there" is said by leaving the key out.
-[[nodiscard]] Value parse_json(std::string_view text, const std::string& name);
+/// table, or a null that isn't left out.
+[[nodiscard]] Value parse_json(std::string_view text, const std::string& name, JsonNull null = JsonNull::refused);
 
 /// Writes JSON on one line; numbers in the fewest digits that read back to the same double. Bytes of a text that are no
 /// UTF-8 become U+FFFD.

@@ -156,7 +156,7 @@ std::vector<Stage> ElasticProblem::stages() const {
 
 std::vector<std::string> ElasticProblem::remarks() const {
   const Scene& s = scene();
-  std::vector<std::string> remarks;
+  std::vector<std::string> remarks = s.net.body.remarks;
   double factor_entries = 0.0;
   for (const auto& group : data_->model.groups) factor_entries += group->pattern().factor_entries();
   const double jacobian_mib = static_cast<double>(residual_count() * parameters().size()) * 8.0 / 1048576.0;

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "body/body_options.h"
 #include "energy_start.h"
 #include "files/text_file.h"
 #include "lanes/lane_instructions.h"
@@ -17,16 +18,6 @@
 namespace nodal::elastic {
 
 namespace {
-
-Body read_body(const Options& options) {
-  const Options body = options.table("body");
-  const std::vector<double> size = body.numbers("size");
-  for (const double side : size)
-    if (!(side > 0.0))
-      throw InputError(body.at("size").source,
-                       fmt::format("'size' in 'body' has a side of {}; sides must be > 0", side));
-  return rectangle_body({0.0, 0.0}, {size[0], size[1]}, body.number("thickness"));
-}
 
 Material read_material(const Options& options) {
   const Options material = options.table("material");
@@ -148,7 +139,7 @@ std::string hash_files(const Options& options, const ProblemContext& context) {
 
 Scene make_scene(const Options& options, const ProblemContext& context) {
   Scene scene;
-  const Body body = read_body(options);
+  const Body body = read_body(options.table("body"), context);
   scene.material = read_material(options);
   StudyNet study = read_net(options, context, body);
   scene.net = std::move(study.net);

@@ -2,9 +2,10 @@
 #include <nodal/elastic/elastic_problem.h>
 #include <nodal/provenance.h>
 
+#include "body/body_options.h"
 #include "cholesky.h"
 #include "loads/study_loads.h"
-#include "scene/read_net.h"
+#include "scene/read_points.h"
 
 namespace nodal {
 
@@ -16,17 +17,6 @@ Value numbers(std::initializer_list<double> values) {
   Value::List list;
   for (const double value : values) list.emplace_back(value);
   return Value(list);
-}
-
-OptionSchema body_fields() {
-  return {
-      {.name = "shape", .type = OptionType::text, .default_value = "rectangle", .choices = {"rectangle"},
-       .help = "outline of the body"},
-      {.name = "size", .type = OptionType::number_list, .default_value = numbers({4.0, 4.0}), .unit = "m", .minimum = 0.0,
-       .minimum_excluded = true, .length = 2, .help = "width and height"},
-      {.name = "thickness", .type = OptionType::number, .default_value = 1.0, .unit = "m", .minimum = 0.0,
-       .minimum_excluded = true, .help = "thickness of the plate"},
-  };
 }
 
 OptionSchema material_fields() {
@@ -55,8 +45,12 @@ OptionSchema springs_fields() {
   return {
       {.name = "file", .type = OptionType::text,
        .help = "springs of your own: CSV with columns first, second (the nodes) and if you like stiffness, group; or a system file"},
-      {.name = "topology", .type = OptionType::text, .default_text = "crossed",
-       .help = "single, alternating or crossed; grid, without diagonals, is refused as a mechanism"},
+      {.name = "topology", .type = OptionType::text,
+       .default_text = "crossed on a grid, triangular on a triangular one, else delaunay",
+       .help = "single, alternating or crossed for grids (grid, without diagonals, is refused as a mechanism), triangular; for any "
+               "points delaunay, delaunay-flip, voronoi-neighbours (all three need CGAL), nearest"},
+      {.name = "nearest", .type = OptionType::integer, .default_text = "6", .minimum = 1, .maximum = 1000,
+       .help = "of topology nearest: with how many of its nearest nodes each is joined"},
       {.name = "parameters", .type = OptionType::text, .default_value = "each",
        .choices = {"each", "by-direction", "symmetric", "uniform"},
        .help = "which springs share one stiffness: none, all of a direction, mirror images, all"},

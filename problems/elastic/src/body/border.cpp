@@ -4,30 +4,40 @@
 #include <nodal/elastic/net.h>
 
 #include "body/segment.h"
+#include "body/side_index.h"
 
 namespace nodal::elastic {
 
 namespace {
 
+// Where on a ring a node lies.
 struct OnRing {
   std::size_t node;
   std::size_t side;
   double share;  // of the side
+  bool corner;   // at a corner of the ring
 };
 
-bool on_a_corner(const Point& node, const Ring& ring, const std::vector<std::size_t>& corners, double tolerance) {
-  return std::ranges::any_of(corners, [&](std::size_t c) { return distance(node, ring[c]) <= tolerance; });
+// Which vertices are corners.
+std::vector<bool> corner_marks(const Ring& ring, double turn) {
+  std::vector<bool> marks(ring.size(), false);
+  for (const std::size_t c : corner_vertices(ring, turn)) marks[c] = true;
+  return marks;
 }
 
-// The place of a node on a ring; a node at a vertex belongs to the side that begins there.
-bool find_on_ring(const Point& node, const Ring& ring, double tolerance, OnRing& place) {
-  for (std::size_t i = 0; i < ring.size(); ++i)
-    if (distance(node, ring[i]) <= tolerance) {
-      place.side = i;
-      place.share = 0.0;
-      return true;
-    }
-  for (std::size_t i = 0; i < ring.size(); ++i) {
+// The place of a node on a ring, of whose sides those nearby are given; a node at a vertex belongs to the side that
+// begins there. False when it isn't on the ring.
+bool find_on_ring(const Point& node, const Ring& ring, std::span<const RingPlace> sides, double tolerance,
+                  const std::vector<bool>& corners, OnRing& place) {
+  bool at_vertex = false;
+  for (const auto [_, i] : sides) {
+    if (distance(node, ring[i]) > tolerance) continue;
+    if (!at_vertex) place.side = i;
+    at_vertex = true;
+    place.corner = place.corner || corners[i];
+  }
+  if (at_vertex) return true;
+  for (const auto [_, i] : sides) {
     const Point &p = ring[i], &q = ring[(i + 1) % ring.size()];
     if (distance_to_segment(node, p, q) > tolerance) continue;
     place.side = i;
@@ -37,6 +47,23 @@ bool find_on_ring(const Point& node, const Ring& ring, double tolerance, OnRing&
   return false;
 }
 
+// The nodes on one ring, along it.
+std::vector<OnRing> nodes_on_ring(const Net& net, const SideIndex& index, std::size_t r) {
+  const Ring& ring = net.body.rings[r];
+  const std::vector<bool> corners = corner_marks(ring, net.body.corner_turn);
+  std::vector<OnRing> found;
+  for (std::size_t i = 0; i < net.nodes.size(); ++i) {
+    const auto near = std::ranges::equal_range(index.near(net.nodes[i]), r, {}, &RingPlace::ring);
+    OnRing place{i, 0, 0.0, false};
+    if (find_on_ring(net.nodes[i], ring, {near.begin(), near.end()}, index.tolerance(), corners, place))
+      found.push_back(place);
+  }
+  std::ranges::sort(found, [](const OnRing& a, const OnRing& b) {
+    return a.side != b.side ? a.side < b.side : a.share != b.share ? a.share < b.share : a.node < b.node;
+  });
+  return found;
+}
+
 }  // namespace
 
 void find_border(Net& net) {
@@ -44,21 +71,12 @@ void find_border(Net& net) {
   net.kinds.assign(net.nodes.size(), NodeKind::inner);
   net.outlines.assign(rings.size(), {});
   if (rings.empty()) return;
-  const double tolerance = kOnOutline * bounding_box(rings[0]).size();
-  for (std::size_t r = 0; r < rings.size(); ++r) {
-    const std::vector<std::size_t> corners = corner_vertices(rings[r], net.body.corner_turn);
-    std::vector<OnRing> found;
-    for (std::size_t i = 0; i < net.nodes.size(); ++i) {
-      OnRing place{i, 0, 0.0};
-      if (!find_on_ring(net.nodes[i], rings[r], tolerance, place)) continue;
-      found.push_back(place);
-      net.kinds[i] = on_a_corner(net.nodes[i], rings[r], corners, tolerance) ? NodeKind::corner : NodeKind::border;
+  const SideIndex index(rings);
+  for (std::size_t r = 0; r < rings.size(); ++r)
+    for (const OnRing& place : nodes_on_ring(net, index, r)) {
+      net.kinds[place.node] = place.corner ? NodeKind::corner : NodeKind::border;
+      net.outlines[r].push_back(place.node);
     }
-    std::ranges::sort(found, [](const OnRing& a, const OnRing& b) {
-      return a.side != b.side ? a.side < b.side : a.share != b.share ? a.share < b.share : a.node < b.node;
-    });
-    for (const OnRing& place : found) net.outlines[r].push_back(place.node);
-  }
 }
 
 }  // namespace nodal::elastic

@@ -8,6 +8,15 @@
 
 namespace nodal::elastic {
 
+namespace {
+
+// A vertex that turns by the limit itself is no corner: regular polygons do, by rounding a little more or less, which
+// must not make corners of some vertices and not of others. Coordinates are rounded to 1e-9 of the body at worst
+// (outline_check.h), a side of a thousandth of its size so to 1e-6.
+constexpr double kTurnRounding = 1e-6;
+
+}  // namespace
+
 Box bounding_box(const std::vector<Point>& points) {
   if (points.empty()) return {};
   Box box{points[0], points[0]};
@@ -69,7 +78,7 @@ std::vector<std::size_t> corner_vertices(const Ring& ring, double turn) {
   for (std::size_t i = 0; i < n; ++i) {
     const Point &before = ring[(i + n - 1) % n], &at = ring[i], &after = ring[(i + 1) % n];
     const double ax = at[0] - before[0], ay = at[1] - before[1], bx = after[0] - at[0], by = after[1] - at[1];
-    if (std::abs(std::atan2(ax * by - ay * bx, ax * bx + ay * by)) > turn) corners.push_back(i);
+    if (std::abs(std::atan2(ax * by - ay * bx, ax * bx + ay * by)) > turn + kTurnRounding) corners.push_back(i);
   }
   return corners;
 }

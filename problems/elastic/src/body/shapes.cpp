@@ -16,8 +16,14 @@ void require_positive(double length, const char* what) {
     throw std::invalid_argument(fmt::format("{} must be positive, not {}", what, length));
 }
 
+void require_finite(double value, const char* what) {
+  if (!std::isfinite(value)) throw std::invalid_argument(fmt::format("{} must be finite, not {}", what, value));
+}
+
 Ring regular_ring(const Point& centre, double radius, std::size_t sides, double turn) {
   require_positive(radius, "a radius");
+  for (const double coordinate : centre) require_finite(coordinate, "a centre's coordinate");
+  require_finite(turn, "a turn");
   if (sides < 3) throw std::invalid_argument(fmt::format("a polygon needs at least 3 sides, not {}", sides));
   Ring ring;
   for (std::size_t i = 0; i < sides; ++i) {
@@ -32,6 +38,7 @@ Ring regular_ring(const Point& centre, double radius, std::size_t sides, double 
 Body rectangle_body(const Point& corner, const Point& size, double thickness) {
   require_positive(size[0], "a rectangle's width");
   require_positive(size[1], "a rectangle's height");
+  for (const double coordinate : corner) require_finite(coordinate, "a corner's coordinate");
   const double x0 = corner[0], y0 = corner[1], x1 = x0 + size[0], y1 = y0 + size[1];
   return {.name = fmt::format("rectangle {} × {}", size[0], size[1]),
           .rings = {{{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}},

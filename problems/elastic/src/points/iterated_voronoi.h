@@ -33,18 +33,6 @@ struct VoronoiOptions {
   Density density = {};
 };
 
-/// One line of the record; iteration 0 is the start.
-struct VoronoiStep {
-  std::size_t iteration = 0;
-  double distance_deviation = 0.0;  ///< standard deviation of neighbours' distances over their mean
-  double area_deviation = 0.0;      ///< of cells' areas, over their mean
-  double energy = 0.0;              ///< normalised as above
-  double inner_energy =
-      0.0;                  ///< the same of the cells that don't meet the outline: E_in n_in / (2 A_in m_in); 0 of none
-  double area_error = 0.0;  ///< |sum of cells' areas − A| / A
-  double largest_move = 0.0;  ///< that led here
-};
-
 struct IteratedVoronoi {
   PlacedPoints points;
   std::vector<VoronoiStep> history;

@@ -61,6 +61,7 @@ void VoronoiCells::compute(const std::vector<Point>& nodes) {
   require_apart();
   cells_.resize(nodes_.size());
   distances_.clear();
+  pairs_.clear();
   seen_.assign(nodes_.size(), 0);
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     const bool meets_outline = cut(i);
@@ -146,6 +147,7 @@ void VoronoiCells::note_neighbours(std::size_t node) {
       if (distance(ring[i].at, ring[i + 1 < ring.size() ? i + 1 : 0].at) <= least) continue;
       seen_[j] = node + 1;
       distances_.push_back(distance(nodes_[node], nodes_[j]));
+      pairs_.emplace_back(node, j);
     }
   }
 }

@@ -14,6 +14,7 @@
 /// neighbours: see triangulation.h.
 
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "body/outline.h"
@@ -41,6 +42,10 @@ class VoronoiCells {
   /// Distances of all pairs of neighbours: nodes whose cells share a border in the body longer than 1e-6 of the even
   /// spacing.
   [[nodiscard]] const std::vector<double>& neighbour_distances() const noexcept { return distances_; }
+  /// The same pairs, each once, the smaller index first.
+  [[nodiscard]] const std::vector<std::pair<std::size_t, std::size_t>>& neighbour_pairs() const noexcept {
+    return pairs_;
+  }
 
   /// The rings of one cell of the last computation: pieces counterclockwise, holes within them clockwise. Vertices that
   /// coincide to 1e-9 of the even spacing, and rings without area, are dropped.
@@ -60,6 +65,7 @@ class VoronoiCells {
   Neighbours neighbours_;
   std::vector<CellSums> cells_;
   std::vector<double> distances_;
+  std::vector<std::pair<std::size_t, std::size_t>> pairs_;
   ClippedRegion region_;           // about the node at hand
   Ring shortened_;                 // work space
   std::vector<std::size_t> seen_;  // [nodes] the last cell (plus 1) that this was seen a neighbour of

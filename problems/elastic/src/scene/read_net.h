@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-/// The points and springs that a study asks for.
+/// The net that a study asks for: points, joined by springs.
 
 #include <string>
 #include <vector>
@@ -11,9 +11,6 @@
 #include <nodal/registry.h>
 
 namespace nodal::elastic {
-
-/// The fields of `points`.
-[[nodiscard]] OptionSchema points_fields();
 
 /// A net, and what a file of springs knows beyond it.
 struct StudyNet {

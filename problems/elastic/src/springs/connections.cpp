@@ -42,9 +42,6 @@ bool convex(const Point& a, const Point& c, const Point& b, const Point& d) {
   return turn(a, c, b) > 0.0 && turn(c, b, d) > 0.0 && turn(b, d, a) > 0.0 && turn(d, a, c) > 0.0;
 }
 
-// True when two points lie on different sides of a line, both farther from it than rounding.
-bool apart(double a, double b, double slack) { return (a > slack && b < -slack) || (a < -slack && b > slack); }
-
 // Nodes in square buckets of about two each, to look for neighbours in.
 class Buckets {
  public:
@@ -153,32 +150,15 @@ std::vector<NodePair> flip_pairs(const std::vector<Point>& nodes, const std::vec
   return flips;
 }
 
-std::vector<NodePair> nearest_pairs(const Body& body, const std::vector<Point>& nodes, std::size_t count) {
+std::vector<NodePair> nearest_pairs(const Outline* outline, const std::vector<Point>& nodes, std::size_t count) {
   const Buckets buckets(nodes);
   std::vector<NodePair> pairs;
   for (std::size_t i = 0; i < nodes.size(); ++i)
     for (const std::size_t j : buckets.nearest(i, count))
-      if (stays_in_body(body, nodes[i], nodes[j])) pairs.push_back(std::minmax(i, j));
+      if (!outline || outline->covers(nodes[i], nodes[j])) pairs.push_back(std::minmax(i, j));
   std::ranges::sort(pairs);
   pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
   return pairs;
-}
-
-bool stays_in_body(const Body& body, const Point& p, const Point& q) {
-  if (!body.has_outline()) return true;
-  const double tolerance = kOnOutline * bounding_box(body.rings[0]).size();
-  std::vector<double> cuts = {0.0, 1.0};  // where the segment passes a vertex, as shares of it
-  for (const Ring& ring : body.rings)
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-      const Point &a = ring[i], &b = ring[(i + 1) % ring.size()];
-      const double of_side = tolerance * distance(a, b), of_segment = tolerance * distance(p, q);
-      if (apart(turn(a, b, p), turn(a, b, q), of_side) && apart(turn(p, q, a), turn(p, q, b), of_segment)) return false;
-      if (distance_to_segment(a, p, q) <= tolerance) cuts.push_back(nearest_share(a, p, q));
-    }
-  std::ranges::sort(cuts);
-  for (std::size_t c = 0; c + 1 < cuts.size(); ++c)
-    if (!contains(body, at_share(p, q, 0.5 * (cuts[c] + cuts[c + 1])))) return false;
-  return true;
 }
 
 }  // namespace nodal::elastic

@@ -18,6 +18,8 @@
 
 #include <nodal/elastic/net.h>
 
+#include "body/outline.h"
+
 namespace nodal::elastic {
 
 using NodePair = std::pair<std::size_t, std::size_t>;
@@ -37,11 +39,7 @@ inline constexpr double kLeastTriangleHeight = 1e-3;
 
 [[nodiscard]] std::vector<NodePair> side_pairs(const std::vector<Triangle>& triangles);
 [[nodiscard]] std::vector<NodePair> flip_pairs(const std::vector<Point>& nodes, const std::vector<Triangle>& triangles);
-/// Cost     n log n.
-[[nodiscard]] std::vector<NodePair> nearest_pairs(const Body& body, const std::vector<Point>& nodes, std::size_t count);
-
-/// True when a segment between two points of the body crosses no side of its outlines and doesn't run outside; touching
-/// is allowed. Cost     one pass over the sides.
-[[nodiscard]] bool stays_in_body(const Body& body, const Point& p, const Point& q);
+/// Without an outline nothing stands between nodes. Cost     n log n.
+[[nodiscard]] std::vector<NodePair> nearest_pairs(const Outline* outline, const std::vector<Point>& nodes, std::size_t count);
 
 }  // namespace nodal::elastic

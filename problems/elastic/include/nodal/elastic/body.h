@@ -56,9 +56,9 @@ struct Moments {
 /// its coordinates. Cost     one pass over the sides.
 [[nodiscard]] Moments moments(const std::vector<Ring>& rings, const Point& origin = {0.0, 0.0});
 
-// Shapes. std::invalid_argument for sizes that are not positive or not finite, fewer than 3 sides, or a ring whose hole
-// is not smaller than itself. The rectangle's sides begin at its lower left; a polygon of `sides` sides has its first
-// vertex at (centre + radius, 0) turned by `turn`.
+// Shapes. std::invalid_argument for sizes that are not positive, anything that is not finite, fewer than 3 sides, or a
+// ring whose hole is not smaller than itself. The rectangle's sides begin at its lower left; a polygon of `sides` sides
+// has its first vertex at (centre + radius, 0) turned by `turn`.
 [[nodiscard]] Body rectangle_body(const Point& corner, const Point& size, double thickness = 1.0);
 [[nodiscard]] Body regular_body(const Point& centre, double radius, std::size_t sides, double turn = 0.0,
                                 double thickness = 1.0);
@@ -67,10 +67,11 @@ struct Moments {
 [[nodiscard]] Body ring_body(const Point& centre, double radius, double hole, std::size_t sides,
                              double thickness = 1.0);
 
-/// True inside the material or within the outline's tolerance of it.
+/// True inside the material or within the outline's tolerance of it. Cost     one pass over the sides; for many points
+/// there is body/side_index.h.
 [[nodiscard]] bool contains(const Body& body, const Point& point);
 
-/// The vertices at which a ring turns by more than `turn`, ascending.
+/// The vertices at which a ring turns by more than `turn`, by more than rounding (1e-6), ascending.
 [[nodiscard]] std::vector<std::size_t> corner_vertices(const Ring& ring, double turn);
 
 }  // namespace nodal::elastic

@@ -37,6 +37,18 @@ struct Grid {
 
 using Triangle = std::array<std::size_t, 3>;
 
+/// One line of the record of iterated Voronoi regions (paper, Figure 2); iteration 0 is the start. Deviations are
+/// relative to the mean. Energies are normalised such that regular hexagons all over the body have 5/(36√3).
+struct VoronoiStep {
+  std::size_t iteration = 0;
+  double distance_deviation = 0.0;  ///< standard deviation of neighbours' distances
+  double area_deviation = 0.0;      ///< of regions' areas
+  double energy = 0.0;              ///< Σ_i ∫ ρ |x − p_i|² dA over the regions; never rises
+  double inner_energy = 0.0;        ///< of the regions that don't meet the outline; 0 of none
+  double area_error = 0.0;          ///< |sum of the regions' areas − A| / A
+  double largest_move = 0.0;        ///< that led here, in even spacings
+};
+
 struct Net {
   Body body;
   Grid grid;
@@ -50,7 +62,9 @@ struct Net {
   std::vector<double> masses;            ///< [nodes], kg; empty where nothing needs masses
   std::vector<std::vector<Ring>> cells;  ///< [nodes]: the rings of each Voronoi region in the body; empty without any
   std::string layout;                    ///< how nodes were placed, in a phrase: "grid of 5 × 5 nodes"
-  std::vector<std::int64_t> ids;         ///< [nodes]: what a file of the user\'s calls them; empty for 0, 1, 2, …
+  std::vector<VoronoiStep> history;  ///< of iterated Voronoi regions; empty without
+  std::vector<std::string> remarks;  ///< what was mended, dropped or found on the way here
+  std::vector<std::int64_t> ids;         ///< [nodes]: what a file of the user's calls them; empty for 0, 1, 2, …
 
   /// What people call a node.
   [[nodiscard]] std::int64_t id(std::size_t node) const {

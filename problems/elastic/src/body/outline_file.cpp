@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "body/outline_file.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <sstream>
+
+#include <fmt/format.h>
+
+#include "body/ring_closing.h"
+
+namespace nodal::elastic {
+
+void require_closed(const Ring& ring, std::size_t number, const Source& source) {
+  const std::string name = number == 0 ? "the outline" : fmt::format("hole {}", number);
+  if (ring.empty()) throw InputError(source, name + " has no points; leave it out or give at least 3");
+  const Point &first = ring.front(), &last = ring.back();
+  if (first != last)
+    throw InputError(source, fmt::format("{} is open: it begins at ({}, {}) and ends at ({}, {}); repeat the first "
+                                         "point at the end",
+                                         name, first[0], first[1], last[0], last[1]));
+}
+
+FileOutline read_outline_file(const std::filesystem::path& path) {
+  std::string extension = path.extension().string();
+  for (char& c : extension) c = 'A' <= c && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  const bool wkt = extension == ".wkt";
+  if (!wkt && extension != ".geojson" && extension != ".json")
+    throw InputError({path.string(), 0}, fmt::format("an outline file must end in .wkt, .geojson or .json, not in '{}'",
+                                                     path.extension().string()));
+  errno = 0;
+  std::ifstream in(path, std::ios::binary);
+  std::ostringstream text;
+  if (in) text << in.rdbuf();
+  if (!in || std::filesystem::is_directory(path))
+    throw InputError(fmt::format("cannot read outline file '{}': {}", path.string(),
+                                 errno ? std::strerror(errno) : "not a regular file"));
+  return wkt ? parse_wkt(text.view(), path.string()) : parse_geojson(text.view(), path.string());
+}
+
+}  // namespace nodal::elastic

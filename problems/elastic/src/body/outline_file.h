@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+/// Outlines in files: a POLYGON in WKT (OGC 06-103r4, 7.2) and a Polygon in GeoJSON (RFC 7946).
+///
+/// Both list rings, the outline first, and each ring ends with its first point again: a ring that doesn't is refused as
+/// open. Coordinates are metres, x and y only. Several polygons, and what else these formats can hold, are refused.
+///
+/// WKT is read here and not by Boost.Geometry's read_wkt, because 1.74 refuses a line break between numbers, takes
+/// "1 0 6" for the two points (1, 0) and (6, 0) and "1" for (1, 0), and knows no lines. GeoJSON is JSON as parse_json
+/// reads it.
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <nodal/elastic/point.h>
+#include <nodal/error.h>
+
+namespace nodal::elastic {
+
+/// Rings as they stand in a file, the closing point included, and where they begin; checked_body takes them.
+struct FileOutline {
+  std::vector<Ring> rings;
+  Source source;
+};
+
+/// InputError with `name` and the line for anything but one POLYGON with closed rings. Keywords in any case.
+[[nodiscard]] FileOutline parse_wkt(std::string_view text, const std::string& name);
+
+/// InputError with `name` and the line for anything but a Polygon, a Feature with one, or a FeatureCollection that
+/// holds exactly one.
+[[nodiscard]] FileOutline parse_geojson(std::string_view text, const std::string& name);
+
+/// By its extension: .wkt, or .geojson and .json. InputError with the path for another, or for a file that can't be
+/// read.
+[[nodiscard]] FileOutline read_outline_file(const std::filesystem::path& path);
+
+}  // namespace nodal::elastic

@@ -1,0 +1,333 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "scene/read_points.h"
+
+#include <algorithm>
+#include <array>
+#include <initializer_list>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include <nodal/random.h>
+
+#include "files/system_files.h"
+#include "points/grid_points.h"
+#include "points/iterated_voronoi.h"
+#include "points/random_points.h"
+#include "triangulation/triangulation.h"
+
+namespace nodal::elastic {
+
+namespace {
+
+constexpr double kMostNodes = 1e6;
+
+std::string layout_of(const Options& points) {
+  if (points.has("layout")) return points.text("layout");
+  return points.has("file") ? "file" : "grid";
+}
+
+// Which keys go with which layouts.
+struct LayoutKey {
+  const char* name;
+  std::vector<std::string> layouts;
+};
+
+const std::vector<LayoutKey>& layout_keys() {
+  static const std::vector<LayoutKey> keys = {
+      {"counts", {"grid"}},
+      {"cell", {"grid"}},
+      {"spacing", {"grid", "triangular"}},
+      {"total", {"random", "voronoi"}},
+      {"inner", {"random", "voronoi"}},
+      {"border", {"random", "voronoi"}},
+      {"border_spread", {"random", "voronoi"}},
+      {"density", {"random", "voronoi"}},
+      {"seed", {"random", "voronoi"}},
+      {"iterations", {"voronoi"}},
+      {"tolerance", {"voronoi"}},
+      {"file", {"file"}},
+  };
+  return keys;
+}
+
+void refuse_foreign_keys(const Options& points, const std::string& layout) {
+  for (const LayoutKey& key : layout_keys())
+    if (points.has(key.name) && std::ranges::find(key.layouts, layout) == key.layouts.end())
+      throw InputError(points.at(key.name).source, fmt::format("'{}' belongs to layout '{}', and this one is '{}'",
+                                                               key.name, fmt::join(key.layouts, "' or '"), layout));
+}
+
+void refuse_both(const Options& points, const char* key, const char* other) {
+  if (points.has(key) && points.has(other))
+    throw InputError(points.at(key).source, fmt::format("'{}' and '{}' exclude each other", key, other));
+}
+
+std::vector<double> read_counts(const Options& points) {
+  const std::vector<double> counts = points.has("counts") ? points.numbers("counts") : std::vector{5.0, 5.0};
+  const Source& source = points.has("counts") ? points.at("counts").source : points.values().source;
+  for (const double count : counts)
+    if (count < 2)
+      throw InputError(source, fmt::format("'counts' is [{}, {}]: a grid with one row or column has no area; give at "
+                                           "least 2 nodes in each direction",
+                                           counts[0], counts[1]));
+  if (counts[0] * counts[1] > kMostNodes)
+    throw InputError(source, fmt::format("'counts' is [{}, {}]: more than {} nodes", counts[0], counts[1], kMostNodes));
+  return counts;
+}
+
+// A grid of so many nodes over a rectangle; other springs than a grid's own are made later.
+StudyPoints read_counted_grid(const Options& points, const std::string& topology, const Body& body) {
+  const std::vector<double> counts = read_counts(points);
+  const bool joined = is_grid_topology(topology);
+  try {
+    StudyPoints read;
+    read.net = make_grid_net(body, static_cast<std::size_t>(counts[0]), static_cast<std::size_t>(counts[1]),
+                             joined ? topology : "crossed");
+    read.joined = joined;
+    if (!joined) {
+      read.net.grid = {};
+      read.net.springs.clear();
+    }
+    return read;
+  } catch (const std::invalid_argument& error) {
+    throw InputError(points.values().source,
+                     fmt::format("{}; give a 'spacing', and the grid is clipped to the body", error.what()));
+  }
+}
+
+Net net_of(const Body& body, std::vector<Point> nodes) {
+  Net net;
+  net.body = body;
+  net.nodes = std::move(nodes);
+  find_border(net);
+  return net;
+}
+
+// A grid clipped to the body. Its own topologies join exactly its nodes; for others the outline gets nodes too.
+StudyPoints read_clipped_grid(const Options& points, const std::string& topology, const Body& body,
+                              const Outline& outline) {
+  const bool triangular = layout_of(points) == "triangular";
+  if (triangular && !points.has("spacing"))
+    throw InputError(points.values().source, "layout 'triangular' needs a 'spacing'");
+  refuse_both(points, "spacing", "cell");
+  refuse_both(points, "counts", points.has("spacing") ? "spacing" : "cell");
+  Point cell{};
+  if (points.has("cell"))
+    cell = {points.numbers("cell")[0], points.numbers("cell")[1]};
+  else
+    cell = {points.number("spacing"), points.number("spacing")};
+  const GridCells cells = triangular ? GridCells::triangular : GridCells::rectangular;
+  StudyPoints read;
+  std::string form;
+  if (is_grid_topology(topology)) {
+    const GridPoints grid = make_exact_grid(outline, cell, cells);
+    read.net = net_of(body, grid.points.points);
+    for (const auto& [i, j] : join_grid(outline, grid, topology)) read.grid_pairs.emplace_back(i, j);
+    form = "clipped to the body";
+  } else {
+    read.net = net_of(body, make_fitted_grid(outline, cell, cells).points);
+    form = "inside the body, and nodes along its outline";
+  }
+  read.net.layout = fmt::format("{} nodes: a {} grid, {}", read.net.nodes.size(),
+                                triangular ? fmt::format("triangular {} m", cell[0])
+                                           : fmt::format("{} m × {} m", cell[0], cell[1]),
+                                form);
+  return read;
+}
+
+Density read_density(const Options& points) {
+  std::vector<DensitySpot> spots;
+  if (points.has("density"))
+    for (const Options& spot : points.tables("density")) {
+      const std::vector<double> at = spot.numbers("at");
+      spots.push_back({{at[0], at[1]}, spot.number("radius"), spot.number("factor")});
+    }
+  return Density(std::move(spots));
+}
+
+std::size_t count_of(const Options& points, const char* key) { return static_cast<std::size_t>(points.integer(key)); }
+
+RandomPointsOptions read_numbers(const Options& points, const Outline& outline) {
+  refuse_both(points, "total", "inner");
+  if (points.has("total")) {
+    refuse_both(points, "total", "border");
+    return share_points(outline, count_of(points, "total"));
+  }
+  if (!points.has("inner"))
+    throw InputError(points.values().source, fmt::format("layout '{}' needs how many points: 'total', or 'inner' and "
+                                                         "if you like 'border'",
+                                                         layout_of(points)));
+  const std::size_t inner = count_of(points, "inner");
+  if (points.has("border")) return {.inner = inner, .border = count_of(points, "border")};
+  // As dense on the outline as inside: the total of which the inner ones are what is left.
+  std::size_t total = inner + least_border_points(outline);
+  while (share_points(outline, total).inner < inner) ++total;
+  return {.inner = inner, .border = total - inner};
+}
+
+StudyPoints read_scattered(const Options& points, const Body& body, const Outline& outline) {
+  RandomPointsOptions options = read_numbers(points, outline);
+  const bool at_random = points.has("border_spread") && points.text("border_spread") == "at-random";
+  options.spread = at_random ? BorderSpread::at_random : BorderSpread::evenly;
+  options.density = read_density(points);
+  const std::int64_t seed = points.has("seed") ? points.integer("seed") : 1;
+  RandomStream random(hash64(fmt::format("points {}", seed)));
+  PlacedPoints placed = make_random_points(outline, options, random);
+  const std::string counted = fmt::format("{} inner and {} border nodes, random with seed {}", options.inner,
+                                          placed.size() - options.inner, seed);
+  StudyPoints read;
+  if (layout_of(points) == "random") {
+    read.net = net_of(body, std::move(placed.points));
+    read.net.layout = counted;
+    return read;
+  }
+  VoronoiOptions voronoi;
+  if (points.has("iterations")) voronoi.iterations = count_of(points, "iterations");
+  if (points.has("tolerance")) voronoi.tolerance = points.number("tolerance");
+  voronoi.density = options.density;
+  IteratedVoronoi result = iterate_voronoi(outline, std::move(placed), voronoi);
+  read.net = net_of(body, std::move(result.points.points));
+  read.net.history = std::move(result.history);
+  read.net.cells = std::move(result.cells);
+  read.net.layout = fmt::format("{}, then {} iterations of Voronoi regions", counted, read.net.history.size() - 1);
+  return read;
+}
+
+OptionSchema density_fields() {
+  return {
+      {.name = "at", .type = OptionType::number_list, .required = true, .unit = "m", .length = 2, .help = "centre"},
+      {.name = "radius", .required = true, .unit = "m", .minimum = 0.0, .minimum_excluded = true, .help = "of the spot"},
+      {.name = "factor",
+       .required = true,
+       .minimum = 0.0,
+       .minimum_excluded = true,
+       .help = "density at the centre, relative to elsewhere"},
+  };
+}
+
+Option count_option(const char* name, std::int64_t least, const char* otherwise, const char* help) {
+  return {.name = name,
+          .type = OptionType::integer,
+          .default_text = otherwise,
+          .minimum = static_cast<double>(least),
+          .maximum = kMostNodes,
+          .help = help};
+}
+
+}  // namespace
+
+bool is_grid_topology(const std::string& topology) {
+  constexpr std::array<const char*, 5> names = {"single", "alternating", "crossed", "grid", "triangular"};
+  return std::ranges::find(names, topology) != names.end();
+}
+
+std::string read_topology(const Options& problem) {
+  const Options springs = problem.table("springs");
+  const std::string layout = layout_of(problem.table("points"));
+  if (!springs.has("topology")) return layout == "grid" ? "crossed" : layout == "triangular" ? layout : "delaunay";
+  const std::string& topology = springs.text("topology");
+  const Source& source = springs.at("topology").source;
+  const auto known = std::ranges::find(topologies(), topology, &Topology::name);
+  if (known == topologies().end()) {
+    std::vector<std::string> names;
+    for (const Topology& t : topologies()) names.push_back(t.name);
+    throw InputError(source, fmt::format("unknown topology '{}'{}", topology, name_hint(topology, names)));
+  }
+  if (known->mechanism)
+    throw InputError(source, fmt::format("topology '{}' is a mechanism: without diagonals its cells shear without "
+                                         "resistance; take 'single', 'alternating' or 'crossed'",
+                                         topology));
+  const bool fits = !is_grid_topology(topology) || (topology == "triangular" ? layout == "triangular" : layout == "grid");
+  if (!fits)
+    throw InputError(source, fmt::format("topology '{}' doesn't join points of layout '{}'; take {}", topology, layout,
+                                         layout == "triangular" ? "'triangular' or 'delaunay'"
+                                         : layout == "grid"     ? "'crossed' or 'delaunay'"
+                                                                : "'delaunay'"));
+  return topology;
+}
+
+OptionSchema points_fields() {
+  return {
+      {.name = "layout",
+       .type = OptionType::text,
+       .default_text = "file where one is given, else grid",
+       .choices = {"grid", "triangular", "random", "voronoi", "file"},
+       .help = "how nodes are placed: a grid of square or rectangular cells, one of equilateral triangles, at random, at "
+               "random and then spread by iterated Voronoi regions (needs CGAL), or as a file says"},
+      {.name = "counts",
+       .type = OptionType::integer_list,
+       .default_text = "[5, 5]",
+       .length = 2,
+       .help = "of a grid over a rectangle: nodes in x and in y, each at least 2"},
+      {.name = "spacing",
+       .unit = "m",
+       .minimum = 0.0,
+       .minimum_excluded = true,
+       .help = "of a grid clipped to the body: side of its square or triangular cells"},
+      {.name = "cell",
+       .type = OptionType::number_list,
+       .unit = "m",
+       .minimum = 0.0,
+       .minimum_excluded = true,
+       .length = 2,
+       .help = "instead of 'spacing': width and height of rectangular cells"},
+      count_option("total", 3, "none", "random, voronoi: how many points, as dense on the outline as inside"),
+      count_option("inner", 0, "none", "instead of 'total': how many inside"),
+      count_option("border", 3, "as dense as inside", "with 'inner': how many on the outline, corners included"),
+      {.name = "border_spread",
+       .type = OptionType::text,
+       .default_text = "evenly",
+       .choices = {"evenly", "at-random"},
+       .help = "random, voronoi: how border points begin"},
+      {.name = "density",
+       .type = OptionType::table_list,
+       .default_text = "even",
+       .help = "random, voronoi: spots where points are denser or rarer, 1 + Σ (factor − 1) exp(−|x − at|²/radius²)",
+       .fields = density_fields()},
+      {.name = "seed", .type = OptionType::integer, .default_text = "1", .help = "random, voronoi: of the points alone"},
+      {.name = "iterations",
+       .type = OptionType::integer,
+       .default_text = "50",
+       .minimum = 0,
+       .maximum = 1e6,
+       .help = "voronoi: at most"},
+      {.name = "tolerance",
+       .default_text = "0",
+       .minimum = 0.0,
+       .help = "voronoi: ends when no point moves farther than this, in mean spacings"},
+      {.name = "file",
+       .type = OptionType::text,
+       .help = "nodes of your own: CSV with columns x, y and if you like node (a number that names it) and mass, or a "
+               "system file as 'nodal fit --export' writes it"},
+  };
+}
+
+StudyPoints read_points(const Options& problem, const ProblemContext& context, const Body& body) {
+  const Options points = problem.table("points");
+  const std::string layout = layout_of(points);
+  refuse_foreign_keys(points, layout);
+  if (layout == "file") {
+    if (!points.has("file")) throw InputError(points.values().source, "layout 'file' needs a 'file' with the nodes");
+    StudyPoints read;
+    read.net.body = body;
+    read_node_file(context.directory / points.text("file"), read.net);
+    find_border(read.net);
+    return read;
+  }
+  if (!body.has_outline())
+    throw InputError(points.values().source,
+                     fmt::format("layout '{}' needs a body with an outline; this one has none", layout));
+  // Springs of a file join the nodes that a grid has.
+  const std::string topology = problem.table("springs").has("file") ? "crossed" : read_topology(problem);
+  const bool clipped = layout == "triangular" || points.has("spacing") || points.has("cell");
+  if (layout == "grid" && !clipped) return read_counted_grid(points, topology, body);
+  try {
+    const Outline outline(body);
+    return clipped ? read_clipped_grid(points, topology, body, outline) : read_scattered(points, body, outline);
+  } catch (const std::invalid_argument& error) {
+    throw InputError(points.values().source, error.what());
+  }
+}
+
+}  // namespace nodal::elastic
