@@ -47,16 +47,22 @@ bool find_on_ring(const Point& node, const Ring& ring, std::span<const RingPlace
   return false;
 }
 
+// Those of one ring, of places ordered by ring.
+std::span<const RingPlace> of_ring(std::span<const RingPlace> places, std::size_t ring) {
+  const auto begin = std::ranges::lower_bound(places, ring, {}, &RingPlace::ring);
+  const auto end = std::ranges::upper_bound(begin, places.end(), ring, {}, &RingPlace::ring);
+  return {begin, end};
+}
+
 // The nodes on one ring, along it.
 std::vector<OnRing> nodes_on_ring(const Net& net, const SideIndex& index, std::size_t r) {
   const Ring& ring = net.body.rings[r];
   const std::vector<bool> corners = corner_marks(ring, net.body.corner_turn);
   std::vector<OnRing> found;
   for (std::size_t i = 0; i < net.nodes.size(); ++i) {
-    const auto near = std::ranges::equal_range(index.near(net.nodes[i]), r, {}, &RingPlace::ring);
+    const std::span<const RingPlace> near = of_ring(index.near(net.nodes[i]), r);
     OnRing place{i, 0, 0.0, false};
-    if (find_on_ring(net.nodes[i], ring, {near.begin(), near.end()}, index.tolerance(), corners, place))
-      found.push_back(place);
+    if (find_on_ring(net.nodes[i], ring, near, index.tolerance(), corners, place)) found.push_back(place);
   }
   std::ranges::sort(found, [](const OnRing& a, const OnRing& b) {
     return a.side != b.side ? a.side < b.side : a.share != b.share ? a.share < b.share : a.node < b.node;
