@@ -126,7 +126,7 @@ std::vector<Stage> ElasticProblem::stages() const {
       {"analytic reference", true, "homogeneous rectangle: the closed form is exact"},
       {"finite-element reference", false, "the closed form holds"},
       {"parameters", true,
-       fmt::format("{}: {} coordinates (ln k) for {} springs", s.parameter_rule, parameters().size(),
+       fmt::format("{}: {} coordinates (ln k) for {} springs", s.parameter_rule.name, parameters().size(),
                    parameters().springs())},
       {"initial stiffness", true, s.initial_rule},
       {"lanes", values_by_lanes(model),
