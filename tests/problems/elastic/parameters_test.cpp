@@ -157,7 +157,8 @@ TEST(Symmetry, DependsNeitherOnPlaceNorOnDirectionNorOnSize) {
 
 // On grids: what the plate's reflections, written out on row and column, make of it.
 TEST(Symmetry, OfGridsIsThatOfTheirRowsAndColumns) {
-  for (const auto& [columns, rows] : {std::pair<std::size_t, std::size_t>{5, 5}, {4, 4}, {7, 3}, {2, 6}}) {
+  for (const auto& counts : {std::array<std::size_t, 2>{5, 5}, {4, 4}, {7, 3}, {2, 6}}) {
+    const std::size_t columns = counts[0], rows = counts[1];
     const Net net = crossed(columns, rows);
     std::map<std::array<std::size_t, 4>, std::size_t> group_of;  // by the lowest image of a spring's ends
     const std::vector<std::size_t> group = groups(net, "symmetric");
