@@ -133,7 +133,7 @@ std::vector<Stage> ElasticProblem::stages() const {
       {"finite-element reference", false,
        s.measured_reference.empty() ? "the closed form holds" : "the reference was measured"},
       {"parameters", true,
-       fmt::format("{}: {} coordinates (ln k) for {} springs", s.parameter_rule, parameters().size(),
+       fmt::format("{}: {} coordinates (ln k) for {} springs", s.parameter_rule.name, parameters().size(),
                    parameters().springs())},
       {"initial stiffness", true, s.initial_rule},
       {"lanes", values_by_lanes(model),

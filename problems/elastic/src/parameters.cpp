@@ -3,80 +3,142 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <map>
 #include <numeric>
+#include <set>
 #include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "spring_classes.h"
+#include "symmetry.h"
 
 namespace nodal::elastic {
 
 namespace {
 
+// A group per spring, and a name per group, in any order and of any numbers.
+struct Tied {
+  std::vector<std::size_t> group;
+  std::vector<std::string> name;
+};
+
 std::string spring_name(const Spring& s) {
   return "k(" + std::to_string(s.first) + "," + std::to_string(s.second) + ")";
 }
 
-std::string direction_name(const Spring& s) {
-  if (s.direction[1] == 0.0) return "horizontal";
-  return s.direction[0] == 0.0 ? "vertical" : "diagonal";
-}
-
-// Where a reflection of the grid carries a node.
-using NodeMap = std::function<std::size_t(std::size_t)>;
-
-std::vector<NodeMap> reflections(const Net& net) {
-  const std::size_t columns = net.grid.columns, rows = net.grid.rows;
-  std::vector<NodeMap> maps;
-  maps.push_back([=](std::size_t i) { return i / columns * columns + (columns - 1 - i % columns); });
-  maps.push_back([=](std::size_t i) { return (rows - 1 - i / columns) * columns + i % columns; });
-  const bool square = columns == rows && std::abs(net.grid.cell[0] - net.grid.cell[1]) <= 1e-9 * net.grid.cell[0];
-  if (square) maps.push_back([=](std::size_t i) { return i % columns * columns + i / columns; });
-  return maps;
-}
-
-// The lowest spring of each spring's class under the reflections.
-std::vector<std::size_t> symmetry_classes(const Net& net) {
-  std::map<std::pair<std::size_t, std::size_t>, std::size_t> by_nodes;
-  for (std::size_t e = 0; e < net.springs.size(); ++e) by_nodes[{net.springs[e].first, net.springs[e].second}] = e;
-  std::vector<std::size_t> lowest(net.springs.size());
-  std::iota(lowest.begin(), lowest.end(), std::size_t{0});
-  const std::vector<NodeMap> maps = reflections(net);
-  // Reflections commute up to the group they generate, so classes settle after as many passes as there are maps.
-  for (std::size_t pass = 0; pass <= maps.size(); ++pass) {
-    for (const NodeMap& map : maps) {
-      for (std::size_t e = 0; e < net.springs.size(); ++e) {
-        const auto image = std::minmax({map(net.springs[e].first), map(net.springs[e].second)});
-        const auto found = by_nodes.find({image.first, image.second});
-        if (found == by_nodes.end())
-          throw std::invalid_argument("the '" + net.topology + "' topology of a " + std::to_string(net.grid.columns) +
-                                      " × " + std::to_string(net.grid.rows) +
-                                      " grid is not symmetric under the plate's reflections");
-        lowest[e] = lowest[found->second] = std::min(lowest[e], lowest[found->second]);
-      }
-    }
+Tied each_alone(const Net& net) {
+  Tied tied;
+  for (const Spring& s : net.springs) {
+    tied.group.push_back(tied.name.size());
+    tied.name.push_back(spring_name(s));
   }
-  return lowest;
+  return tied;
+}
+
+Tied by_grid_direction(const Net& net) {
+  Tied tied{{}, {"k horizontal", "k vertical", "k diagonal"}};
+  for (const Spring& s : net.springs) tied.group.push_back(s.direction[1] == 0.0 ? 0 : s.direction[0] == 0.0 ? 1 : 2);
+  return tied;
+}
+
+Tied by_class(SpringClasses classes) {
+  for (std::string& name : classes.names) name = "k " + name;
+  return {std::move(classes.of), std::move(classes.names)};
+}
+
+// A group is numbered and named by its lowest spring.
+Tied symmetric(const Net& net) {
+  const Symmetry symmetry = find_symmetry(net.nodes, net.springs);
+  if (symmetry.order() == 1)
+    throw std::invalid_argument(
+        fmt::format("the '{}' net of {} nodes has no symmetry: no rotation or reflection about the "
+                    "middle of its nodes carries nodes and springs onto nodes and springs",
+                    net.topology, net.nodes.size()));
+  return {symmetry_classes(symmetry, net.springs.size()), each_alone(net).name};
+}
+
+Tied listed(const Net& net, const std::vector<std::string>& groups) {
+  if (groups.size() != net.springs.size())
+    throw std::invalid_argument(
+        fmt::format("{} groups are listed for {} springs; give one per spring", groups.size(), net.springs.size()));
+  Tied tied;
+  std::map<std::string, std::size_t> index;
+  for (std::size_t e = 0; e < groups.size(); ++e) {
+    const bool alone = groups[e].empty();
+    const auto [entry, fresh] = index.emplace(groups[e], tied.name.size());
+    tied.group.push_back(alone || fresh ? tied.name.size() : entry->second);
+    if (alone)
+      tied.name.push_back(spring_name(net.springs[e]));
+    else if (fresh)
+      tied.name.push_back("k " + groups[e]);
+  }
+  return tied;
+}
+
+Tied tie(const Net& net, const ParameterRule& rule) {
+  if (rule.name == "each") return each_alone(net);
+  if (rule.name == "uniform") return {std::vector<std::size_t>(net.springs.size(), 0), {"k"}};
+  if (rule.name == "symmetric") return symmetric(net);
+  if (rule.name == "listed") return listed(net, rule.group_of_spring);
+  if (rule.name == "by-direction") {
+    if (!(rule.direction_tolerance >= 0.0 && rule.direction_tolerance <= 90.0))
+      throw std::invalid_argument(fmt::format(
+          "a tolerance of {}° is no tolerance of directions; it must be from 0 to 90", rule.direction_tolerance));
+    if (net.grid.columns > 0) return by_grid_direction(net);
+    return by_class(classes_by_direction(net.springs, rule.direction_tolerance));
+  }
+  if (rule.name == "by-length") {
+    if (rule.length_classes == 0)
+      throw std::invalid_argument("0 classes of length leave springs without one; give ≥ 1");
+    return by_class(classes_by_length(net.springs, rule.length_classes));
+  }
+  throw std::invalid_argument("unknown rule of parameters '" + rule.name + "'");
 }
 
 }  // namespace
 
-Parameters::Parameters(const Net& net, const std::string& rule) {
-  std::map<std::string, std::size_t> index;
-  const auto tie = [&](const std::string& name) {
-    const auto [entry, fresh] = index.emplace(name, names_.size());
-    if (fresh) names_.push_back("ln " + name);
-    group_.push_back(entry->second);
-  };
-  if (rule == "each") {
-    for (const Spring& s : net.springs) tie(spring_name(s));
-  } else if (rule == "by-direction") {
-    for (const Spring& s : net.springs) tie("k " + direction_name(s));
-  } else if (rule == "uniform") {
-    for (std::size_t e = 0; e < net.springs.size(); ++e) tie("k");
-  } else if (rule == "symmetric") {
-    for (const std::size_t lowest : symmetry_classes(net)) tie(spring_name(net.springs[lowest]));
-  } else {
-    throw std::invalid_argument("unknown rule of parameters '" + rule + "'");
+ParameterRule listed_rule(const Net& net, const std::vector<SpringGroup>& groups) {
+  std::map<std::pair<std::size_t, std::size_t>, std::size_t> by_nodes;
+  for (std::size_t e = 0; e < net.springs.size(); ++e) by_nodes[{net.springs[e].first, net.springs[e].second}] = e;
+  ParameterRule rule("listed");
+  rule.group_of_spring.resize(net.springs.size());
+  std::set<std::string> names;
+  for (const SpringGroup& group : groups) {
+    if (group.name.empty()) throw std::invalid_argument("a group of springs needs a name");
+    if (!names.insert(group.name).second) throw std::invalid_argument("two groups are named '" + group.name + "'");
+    if (group.springs.empty()) throw std::invalid_argument("group '" + group.name + "' has no springs");
+    for (const auto& ends : group.springs) {
+      const auto found = by_nodes.find(std::minmax(ends[0], ends[1]));
+      if (found == by_nodes.end())
+        throw std::invalid_argument(
+            fmt::format("group '{}' lists ({}, {}), but no spring joins these nodes", group.name, ends[0], ends[1]));
+      std::string& of_spring = rule.group_of_spring[found->second];
+      if (!of_spring.empty())
+        throw std::invalid_argument(
+            of_spring == group.name ? fmt::format("group '{}' lists ({}, {}) twice", group.name, ends[0], ends[1])
+                                    : fmt::format("spring ({}, {}) is in the groups '{}' and '{}'; it can be in one",
+                                                  ends[0], ends[1], of_spring, group.name));
+      of_spring = group.name;
+    }
+  }
+  return rule;
+}
+
+Parameters::Parameters(const Net& net, const ParameterRule& rule) {
+  // Coordinates in the order of their first springs. Rounded ranges may read the same: names are told apart by a
+  // number.
+  const Tied tied = tie(net, rule);
+  constexpr std::size_t kNone = ~std::size_t{0};
+  std::vector<std::size_t> coordinate(std::max(tied.name.size(), net.springs.size()), kNone);
+  std::map<std::string, std::size_t> uses;
+  for (const std::size_t g : tied.group) {
+    if (coordinate[g] == kNone) {
+      coordinate[g] = names_.size();
+      const std::size_t use = ++uses[tied.name[g]];
+      names_.push_back("ln " + tied.name[g] + (use == 1 ? "" : fmt::format(" ({})", use)));
+    }
+    group_.push_back(coordinate[g]);
   }
 
   members_.resize(group_.size());

@@ -115,7 +115,7 @@ MovesOptions read_moves(const Options& options, const Scene& scene) {
     throw InputError(options.at("form").source,
                      fmt::format("'{}' prices one changed spring at a time, and parameters = '{}' ties springs; take "
                                  "'auto', 'lazy', 'refactor' or 'full'",
-                                 moves.form, scene.parameter_rule));
+                                 moves.form, scene.parameter_rule.name));
   try {
     (void)lane_kernels(1, moves.instructions);
   } catch (const std::invalid_argument& error) {

@@ -38,7 +38,7 @@ struct Scene {
   Material material;
   LoadSet loads;
   Weights weights;
-  std::string parameter_rule = "each";
+  ParameterRule parameter_rule;
   std::vector<double> initial_stiffness;        ///< [springs], before tying and before moving inside the bounds
   std::array<double, 2> stiffness_bounds = {};  ///< N/m
   std::string initial_rule;                     ///< for `explain`

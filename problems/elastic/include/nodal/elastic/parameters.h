@@ -3,25 +3,55 @@
 
 /// The elastic problem's map from coordinates to stiffnesses: x = ln k, one coordinate per group of tied springs.
 ///
-/// `each`: every spring its own. `by-direction`: horizontal, vertical and diagonal springs tied (Figure 8).
-/// `symmetric`: springs tied that the plate's two reflections (and, on a square with square cells, the diagonal one)
-/// carry into each other. `uniform`: all tied.
+/// `each`: every spring its own. `uniform`: all tied.
+/// `by-direction`: on a grid horizontal, vertical and diagonal springs tied (Figure 8); on another net those whose
+/// directions modulo 180° agree within a tolerance.
+/// `by-length`: a number of classes of length, divided where lengths leave gaps.
+/// `symmetric`: springs tied that a symmetry of the net carries into each other: all rotations and reflections about
+/// the middle of its nodes under which nodes and springs come to lie on nodes and springs, found from the geometry.
+/// `listed`: as a list says.
 /// Shapes   stiffness: [springs]; coordinates: [groups].
+/// Units    metres, degrees.
+/// Cost     construction: O(springs · log springs), with `symmetric` times the few symmetries that are tried in full.
 
+#include <array>
 #include <cstddef>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <nodal/elastic/net.h>
 
 namespace nodal::elastic {
 
+/// How springs are tied. A plain name is a rule with its defaults.
+struct ParameterRule {
+  ParameterRule(std::string rule = "each") : name(std::move(rule)) {}
+  ParameterRule(const char* rule) : name(rule) {}
+
+  std::string name;                               ///< one of those above
+  double direction_tolerance = 10.0;              ///< by-direction, degrees in [0, 90]: at most 18 classes
+  std::size_t length_classes = 3;                 ///< by-length, ≥ 1; fewer come out when there are fewer lengths
+  std::vector<std::string> group_of_spring = {};  ///< listed: [springs] names; an empty one leaves a spring on its own
+};
+
+/// Springs that share a stiffness, each named by its two nodes.
+struct SpringGroup {
+  std::string name;
+  std::vector<std::array<std::size_t, 2>> springs;
+};
+
+/// The rule `listed` for groups; springs that none lists stay on their own. std::invalid_argument, naming the spring,
+/// when no spring joins two nodes or two groups list it, and for groups without a name, without springs, or of one
+/// name.
+[[nodiscard]] ParameterRule listed_rule(const Net& net, const std::vector<SpringGroup>& groups);
+
 class Parameters {
  public:
-  /// `rule` is one of the four names above; std::invalid_argument for another, or for `symmetric` on a net whose
-  /// topology the reflections don't preserve.
-  Parameters(const Net& net, const std::string& rule);
+  /// std::invalid_argument for an unknown name, options outside their range, a list of another length than the springs,
+  /// or `symmetric` on a net that has no symmetry.
+  Parameters(const Net& net, const ParameterRule& rule);
 
   [[nodiscard]] std::size_t size() const noexcept { return names_.size(); }
   [[nodiscard]] std::size_t springs() const noexcept { return group_.size(); }
