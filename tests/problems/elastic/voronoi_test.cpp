@@ -102,7 +102,7 @@ TEST(VoronoiCells, RefuseNodesThatNearlyCoincide) {
 // ---- iterations ---------------------------------------------------------------------------------------------------
 
 // The promises: the energy never rises, areas sum to the body's, points stay in the body and what they are.
-// Rounding: the energy of a converged net may differ in its last digits. `digits` scales for bodies whose area is small
+// Rounding: the energy of a converged net may differ in its last digits. `slack` is for bodies whose area is small
 // against their size.
 void expect_sound(const Outline& outline, const PlacedPoints& start, const IteratedVoronoi& done, double slack = 1.0) {
   for (std::size_t k = 0; k < done.history.size(); ++k) {
@@ -198,7 +198,7 @@ TEST(IteratedVoronoi, StopsWhenNothingMovesAnyMore) {
   EXPECT_GE(done.history[done.history.size() - 2].largest_move, 1e-4);
 }
 
-// A density of 16 over half of a body has, with many points, four times as many per area there (∝ √ρ).
+// ρ is 20 at the middle: with many points, √20 times as many per area there as far from it.
 TEST(IteratedVoronoi, GathersPointsWhereTheDensityIsHigh) {
   const Outline outline(rectangle_body({0, 0}, {1, 1}));
   const PlacedPoints start = random_points(outline, 500, 3);

@@ -166,7 +166,7 @@ std::vector<Ring> VoronoiCells::rings(std::size_t node) {
     while (ring.size() > 1 && distance(ring.front(), ring.back()) <= least) ring.pop_back();
     if (ring.size() >= 3 && std::abs(area_of(ring)) > 1e-14 * outline_.area()) rings.push_back(std::move(ring));
   }
-  std::ranges::stable_partition(rings, [](const Ring& ring) { return area_of(ring) > 0.0; });
+  std::stable_partition(rings.begin(), rings.end(), [](const Ring& ring) { return area_of(ring) > 0.0; });
   return rings;
 }
 
