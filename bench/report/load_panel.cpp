@@ -14,6 +14,7 @@ namespace {
 constexpr double kReferenceSpacing = 9.0;  // between dotted lines, in drawing units: nearer ones would be grey
 constexpr double kMarkSpacing = 4.0;       // between nodes, where each has its mark
 constexpr double kCross = 2.4;             // half the size of a mark
+constexpr double kArrowSpacing = 6.0;      // between the beginnings of arrows
 constexpr double kShortestArrow = 0.5;     // shorter ones would be a dot
 
 using Link = std::pair<std::size_t, std::size_t>;
@@ -93,20 +94,39 @@ std::string reference_lines(const Plate& plate, const PlateLoad& load, const Pla
   return plate.columns > 0 || !load.known.empty() ? text : text + node_marks(body, frame);
 }
 
+// Places that are kept apart from each other, so that of many marks in a row some remain, not a bar.
+class Apart {
+ public:
+  explicit Apart(double distance) : distance_(distance) {}
+  bool take(const Vector2& p) {
+    const bool free = std::ranges::none_of(
+        taken_, [&](const Vector2& q) { return std::hypot(q[0] - p[0], q[1] - p[1]) < distance_; });
+    if (free) taken_.push_back(p);
+    return free;
+  }
+
+ private:
+  double distance_;
+  std::vector<Vector2> taken_;
+};
+
 std::string force_arrows(const PlateLoad& load, const PlateFrame& frame, const std::vector<Vector2>& system) {
+  Apart apart(kArrowSpacing);
   std::string path;
   for (std::size_t i = 0; i < load.forces.size(); ++i)
-    if (length(load.forces[i]) * frame.arrow > kShortestArrow)
+    if (length(load.forces[i]) * frame.arrow > kShortestArrow && apart.take(system[i]))
       path += arrow_path(system[i], {frame.arrow * load.forces[i][0], -frame.arrow * load.forces[i][1]});
   return path.empty() ? "" : "<path class=\"force\" d=\"" + path + "\"/>";
 }
 
 std::string support_marks(const PlateLoad& load, const PlateFrame& frame, const std::vector<Vector2>& system) {
-  const double side = frame.spacing > 0.0 ? std::clamp(0.5 * frame.spacing, 2.0, 5.0) : 5.0;
+  const double side = frame.spacing > 0.0 ? std::clamp(0.5 * frame.spacing, 2.5, 5.0) : 5.0;
+  Apart apart(side + 1.5);
   std::string text;
   for (const std::size_t node : load.fixed)
-    text += fmt::format(R"(<rect class="held" x="{:.1f}" y="{:.1f}" width="{:.1f}" height="{:.1f}"/>)",
-                        system[node][0] - 0.5 * side, system[node][1] - 0.5 * side, side, side);
+    if (apart.take(system[node]))
+      text += fmt::format(R"(<rect class="held" x="{:.1f}" y="{:.1f}" width="{:.1f}" height="{:.1f}"/>)",
+                          system[node][0] - 0.5 * side, system[node][1] - 0.5 * side, side, side);
   return text;
 }
 
@@ -116,8 +136,9 @@ std::string load_panel(const Plate& plate, const PlateLoad& load, const PlateFra
                        const StiffnessColours& colours) {
   const std::vector<Vector2> system = displaced(plate, load.displacement, frame);
   const std::vector<Vector2> body = displaced(plate, load.reference, frame);
-  return spring_lines(plate, system, frame.line_width(), colours) + reference_lines(plate, load, frame, body) +
-         force_arrows(load, frame, system) + known_marks(load, body, system) + support_marks(load, frame, system);
+  return spring_lines(plate, DrawnSprings(plate, DrawnSprings::kMostUnderLoad), system, frame.line_width(), colours) +
+         reference_lines(plate, load, frame, body) + force_arrows(load, frame, system) +
+         known_marks(load, body, system) + support_marks(load, frame, system);
 }
 
 std::string load_svg(const Plate& plate, const PlateLoad& load, const PlateFrame& frame,

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -18,6 +19,7 @@ constexpr double kMargin = 16.0, kGap = 16.0;
 constexpr double kInner = kPictureWidth - 2.0 * kMargin;
 constexpr double kKeyWidth = 196.0;      // the column beside the system
 constexpr double kWideBody = 1.8;        // width over height: beyond, the key stands below the system
+constexpr double kFlatBody = 4.0;        // likewise: loads stand one under the other
 constexpr double kHeaderHeight = 54.0;   // title and figures
 constexpr double kCaptionHeight = 42.0;  // name and G of a load
 
@@ -27,18 +29,11 @@ std::string at(double x, double y, const std::string& content) {
 
 std::string heading(const Plate& plate) { return plate.problem + ": " + plate.title; }
 
-std::string counts_text(const Plate& plate) {
-  std::string text = fmt::format("{} nodes, {} springs", plate.nodes.size(), plate.springs.size());
-  if (const std::size_t drawn = DrawnSprings(plate).count(); drawn < plate.springs.size())
-    text += fmt::format(", of which {} are drawn", drawn);
-  return text;
-}
-
 std::string header(const Plate& plate) {
   return text_at({kMargin, 28.0}, shortened(heading(plate), kInner, 17.0), "head") +
          text_at({kMargin, 46.0},
-                 fmt::format("relative error {} · G {} m · {}", figure_text(plate.relative_error, 4),
-                             figure_text(plate.quality, 4), counts_text(plate)),
+                 fmt::format("relative error {} · G {} m · {} nodes, {} springs", figure_text(plate.relative_error, 4),
+                             figure_text(plate.quality, 4), plate.nodes.size(), plate.springs.size()),
                  "quiet") +
          "\n";
 }
@@ -78,7 +73,7 @@ Drawing system_and_key(const Plate& plate, const PlateFrame& frame, const Stiffn
 // Flat bodies one under the other; else two or three beside each other, as it fills the last row.
 std::size_t columns_of(const Plate& plate) {
   const std::size_t loads = plate.loads.size();
-  if (loads < 2 || aspect(plate) > 4.0) return 1;
+  if (loads < 2 || aspect(plate) > kFlatBody) return 1;
   return loads == 3 || loads > 4 ? 3 : 2;
 }
 
@@ -99,6 +94,18 @@ Drawing load_grid(const Plate& plate, const PlateFrame& frame, const StiffnessCo
   }
   drawing.height = static_cast<double>((plate.loads.size() + columns - 1) / columns) * row_height;
   return drawing;
+}
+
+// Empty where all are drawn.
+std::string thinned_sentence(const Plate& plate) {
+  const std::size_t at_rest = DrawnSprings(plate, DrawnSprings::kMostAtRest).count();
+  const std::size_t under_load = DrawnSprings(plate, DrawnSprings::kMostUnderLoad).count();
+  std::string text;
+  if (at_rest < plate.springs.size()) text = fmt::format("{} springs are drawn at rest", at_rest);
+  if (under_load < plate.springs.size() && !plate.loads.empty())
+    text += fmt::format("{}{} {}under each load", text.empty() ? "" : ", ", under_load,
+                        text.empty() ? "springs are drawn " : "");
+  return text.empty() ? text : text + ".";
 }
 
 bool any_unknown(const Plate& plate) {
@@ -125,6 +132,7 @@ std::vector<std::string> picture_legend(const Plate& plate, const PlateFrame& fr
   if (!plate.masses.empty()) sentences.emplace_back("Round dots are nodes, their area is the mass.");
   if (std::ranges::any_of(plate.masses, [](double mass) { return !(mass > 0.0); }))
     sentences.emplace_back("Red rings: nodes without a positive mass.");
+  if (std::string thinned = thinned_sentence(plate); !thinned.empty()) sentences.push_back(std::move(thinned));
   return sentences;
 }
 
@@ -142,7 +150,7 @@ std::string picture_svg(const Plate& plate) {
   const StiffnessColours colours({&plate});
   const std::size_t columns = columns_of(plate);
   const double step = (kInner + kGap) / static_cast<double>(columns);
-  const PlateFrame frame = make_frame({&plate}, std::min(step - kGap, 420.0));
+  const PlateFrame frame = make_frame({&plate}, aspect(plate) > kFlatBody ? kInner : std::min(step - kGap, 420.0));
   const Drawing system = system_and_key(plate, frame, colours);
   const double below = kHeaderHeight + system.height + kGap;
   const Drawing loads = load_grid(plate, frame, colours, columns);

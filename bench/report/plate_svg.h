@@ -14,13 +14,13 @@
 
 namespace nodal::report {
 
-/// Which springs a picture draws: all up to kMost, beyond that those along the border and of the others an even share,
+/// Which springs a panel draws: all up to `most`, beyond that those along the border and of the others an even share,
 /// chosen by their number alone. So a file stays below a few megabytes, and a drawing of so many lines looks the same.
 class DrawnSprings {
  public:
-  static constexpr std::size_t kMost = 20'000;
+  static constexpr std::size_t kMostAtRest = 60'000, kMostUnderLoad = 20'000;
 
-  explicit DrawnSprings(const Plate& plate);
+  DrawnSprings(const Plate& plate, std::size_t most);
 
   [[nodiscard]] bool contains(std::size_t spring) const { return all_ || drawn_[spring]; }
   [[nodiscard]] std::size_t count() const noexcept { return count_; }
@@ -31,8 +31,9 @@ class DrawnSprings {
   std::size_t count_ = 0;
 };
 
-/// All drawn springs between the nodes' places in the drawing, a path for each colour.
-[[nodiscard]] std::string spring_lines(const Plate& plate, const std::vector<Vector2>& places, double line_width,
+/// Springs between the nodes' places in the drawing, a path for each colour.
+[[nodiscard]] std::string spring_lines(const Plate& plate, const DrawnSprings& drawn,
+                                       const std::vector<Vector2>& places, double line_width,
                                        const StiffnessColours& colours);
 
 /// One load of one plate: what stands inside an <svg> element of the frame's size.

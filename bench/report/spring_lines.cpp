@@ -24,22 +24,20 @@ bool on_border(const Plate& plate, std::size_t node) {
 
 }  // namespace
 
-DrawnSprings::DrawnSprings(const Plate& plate) : count_(plate.springs.size()) {
-  if (count_ <= kMost) return;
+DrawnSprings::DrawnSprings(const Plate& plate, std::size_t most) : count_(plate.springs.size()) {
+  if (count_ <= most) return;
   all_ = false;
   drawn_.assign(plate.springs.size(), false);
   count_ = 0;
   for (std::size_t e = 0; e < plate.springs.size(); ++e) {
     const PlateSpring& s = plate.springs[e];
-    drawn_[e] =
-        scattered(e) % plate.springs.size() < kMost || (on_border(plate, s.first) && on_border(plate, s.second));
+    drawn_[e] = scattered(e) % plate.springs.size() < most || (on_border(plate, s.first) && on_border(plate, s.second));
     count_ += drawn_[e] ? 1 : 0;
   }
 }
 
-std::string spring_lines(const Plate& plate, const std::vector<Vector2>& places, double line_width,
-                         const StiffnessColours& colours) {
-  const DrawnSprings drawn(plate);
+std::string spring_lines(const Plate& plate, const DrawnSprings& drawn, const std::vector<Vector2>& places,
+                         double line_width, const StiffnessColours& colours) {
   std::array<LinePath, StiffnessColours::kSteps> paths;
   for (std::size_t e = 0; e < plate.springs.size(); ++e)
     if (drawn.contains(e)) {

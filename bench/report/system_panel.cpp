@@ -81,7 +81,7 @@ std::string equal_dots(const Plate& plate, const PlateFrame& frame) {
   for (std::size_t i = 0; i < plate.nodes.size(); ++i)
     (plate.kinds.empty() || plate.kinds[i] == PlateNodeKind::inner ? inner : border) +=
         dot_at(frame.at(plate.nodes[i]));
-  const double width = frame.spacing > 0.0 ? std::clamp(0.25 * frame.spacing, 1.0, 6.0) : 6.0;
+  const double width = frame.spacing > 0.0 ? std::clamp(0.2 * frame.spacing, 1.0, 6.0) : 6.0;
   std::string text;
   for (const auto& [style, path] : {std::pair{"inner", &inner}, std::pair{"border", &border}})
     if (!path->empty())
@@ -124,7 +124,8 @@ Drawing system_panel(const Plate& plate, double width, const StiffnessColours& c
   const double y = std::ceil(frame.height) - 8.0;
   std::string strip = length_bar(frame, y, x);
   if (!plate.masses.empty()) strip += mass_key(plate, frame, y, x);
-  return {material(plate, frame) + cell_lines(plate, frame) + spring_lines(plate, places, frame.line_width(), colours) +
+  return {material(plate, frame) + cell_lines(plate, frame) +
+              spring_lines(plate, DrawnSprings(plate, DrawnSprings::kMostAtRest), places, frame.line_width(), colours) +
               (plate.masses.empty() ? equal_dots(plate, frame) : mass_dots(plate, frame)) + strip,
           frame.width, std::ceil(frame.height)};
 }

@@ -6,10 +6,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <fstream>
 #include <functional>
 #include <sstream>
+
+#include <fmt/format.h>
 
 #include <report/mechanism_svg.h>
 #include <report/plate_svg.h>
@@ -201,17 +204,46 @@ TEST(LoadPanel, DottedLinesOfADenseGridAreEverySoManyth) {
 
 TEST(DrawnSprings, AreAllOfAnOrdinaryNetAndAnEvenShareOfALargeOne) {
   const Plate small = fixture::make_disc();
-  EXPECT_EQ(DrawnSprings(small).count(), small.springs.size());
+  EXPECT_EQ(DrawnSprings(small, small.springs.size()).count(), small.springs.size());
   Plate large;
   large.nodes.assign(4, {0.0, 0.0});
   large.kinds = {PlateNodeKind::border, PlateNodeKind::corner, PlateNodeKind::inner, PlateNodeKind::inner};
   for (std::size_t e = 0; e < 100'000; ++e)
     large.springs.push_back({e % 1000 == 0 ? 1u : 2u, e % 1000 == 0 ? 0u : 3u, 1.0});
-  const DrawnSprings drawn(large);
+  const DrawnSprings drawn(large, 20'000);
   // 20,000 of 100,000 by lot, a binomial of deviation 126, and the border's 100 whether drawn or not.
   EXPECT_NEAR(static_cast<double>(drawn.count()), 20'080.0, 5.0 * 126.0);
   for (std::size_t e = 0; e < large.springs.size(); e += 1000) EXPECT_TRUE(drawn.contains(e));
-  EXPECT_EQ(count(picture_svg(large), "100000 springs, of which " + std::to_string(drawn.count()) + " are drawn"), 1u);
+  EXPECT_EQ(picture_legend(large, make_frame({&large})).back(),
+            fmt::format("{} springs are drawn at rest.", DrawnSprings(large, 60'000).count()));
+  large.springs.resize(30'000);
+  large.loads.resize(1);
+  for (auto* vectors : {&large.loads[0].displacement, &large.loads[0].reference, &large.loads[0].forces})
+    vectors->assign(4, {0.0, 0.0});
+  EXPECT_EQ(picture_legend(large, make_frame({&large})).back(),
+            fmt::format("{} springs are drawn under each load.", DrawnSprings(large, 20'000).count()));
+}
+
+TEST(LoadPanel, KeepsArrowsAndSupportsApart) {
+  Plate plate;
+  for (int i = 0; i <= 1000; ++i) plate.nodes.push_back({0.001 * i, 0.0});
+  plate.nodes.push_back({0.0, 1.0});
+  for (std::size_t i = 0; i < 1000; ++i) plate.springs.push_back({i, i + 1, 1.0});
+  PlateLoad load;
+  load.displacement = load.reference = std::vector<Vector2>(plate.nodes.size(), {0.0, 0.0});
+  load.forces.assign(plate.nodes.size(), {0.0, 1.0});
+  for (std::size_t i = 0; i <= 1000; ++i) load.fixed.push_back(i);
+  plate.loads = {load};
+  const PlateFrame frame = make_frame({&plate});
+  const std::string panel = load_panel(plate, load, frame, StiffnessColours({&plate}));
+  // An arrow is two moves; of the line's nodes every `step`th has one, 6 units apart or a little more, and the node
+  // above.
+  const std::string arrows =
+      panel.substr(panel.find("class=\"force\""), panel.find("<rect") - panel.find("class=\"force\""));
+  const auto step = static_cast<std::size_t>(std::ceil(6.0 / (0.001 * frame.unit)));
+  EXPECT_EQ(count(arrows, "M"), 2u * (1000u / step + 1u + 1u));
+  EXPECT_LT(count(panel, "<rect"), 62u);  // 2.5 and 1.5 units on at most 240
+  EXPECT_GT(count(panel, "<rect"), 40u);
 }
 
 TEST(ColourScale, NumbersEndsAndPowersOfTenThatFit) {
