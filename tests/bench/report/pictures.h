@@ -167,7 +167,7 @@ inline Plate make_grid() {
   plate.rings = {{{0, 0}, {3, 0}, {3, 2}, {0, 2}}};
   plate.border = {{0, 1, 2, 3, 7, 11, 10, 9, 8, 4}};
   set_kinds(plate);
-  for (const std::size_t corner : {0, 3, 8, 11}) plate.kinds[corner] = PlateNodeKind::corner;
+  for (const std::size_t corner : {0u, 3u, 8u, 11u}) plate.kinds[corner] = PlateNodeKind::corner;
   join(plate, 1.5);
   for (PlateSpring& s : plate.springs) s.stiffness = 0.37 + 0.11 * static_cast<double>(s.first);
   plate.loads = {pulled(plate, "stretch-x", 0.047, 0.0, -0.013)};
@@ -189,8 +189,8 @@ inline Mechanism make_mechanism() {
     if (i < 3) mechanism.springs.push_back({i, i + 7});
   }
   mechanism.motion.assign(12, {0.0, 0.0});
-  for (const std::size_t node : {4, 10}) mechanism.motion[node] = {0.0, -0.37};
-  for (const std::size_t node : {5, 11}) mechanism.motion[node] = {0.0, 0.21};
+  for (const std::size_t node : {4u, 10u}) mechanism.motion[node] = {0.0, -0.37};
+  for (const std::size_t node : {5u, 11u}) mechanism.motion[node] = {0.0, 0.21};
   mechanism.rings = {{{0, 0}, {5, 0}, {5, 1}, {0, 1}}};
   return mechanism;
 }
