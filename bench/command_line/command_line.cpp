@@ -55,6 +55,11 @@ void add_problem_label(CLI::App& command, std::string& label) {
   command.add_option("--problem", label, "Which problem, where a study has several")->type_name("LABEL");
 }
 
+void add_picture(CLI::App& command, std::string& path) {
+  command.add_option("--picture", path, "Draw the system and its deformation under each load; for elastic problems")
+      ->type_name("FILE.svg");
+}
+
 void add_repeats(CLI::App& command, StudyOverrides& overrides) {
   command.add_option("--repeats", overrides.repeats, "Repeats, instead of the study's")->check(above_zero());
 }
@@ -94,6 +99,7 @@ void add_evaluate(CLI::App& app, const Registry& registry, int& exit) {
   add_problem_label(command, to->problem);
   command.add_option("--stiffness", to->stiffness, "A stiffness file instead of the start; bounds don't apply to it")
       ->type_name("FILE");
+  add_picture(command, to->picture);
   command.add_flag("--json", to->json, "Everything, displacements too, as JSON");
 }
 
@@ -106,6 +112,7 @@ void add_fit(CLI::App& app, const Registry& registry, int& exit) {
   add_problem_label(command, to->problem);
   command.add_option("--with", to->with, "A label of the study, or any optimizer with its defaults")->type_name("NAME");
   command.add_option("--export", to->out, "Where the stiffness file goes (default: stdout)")->type_name("FILE");
+  add_picture(command, to->picture);
   add_budget(command, to->overrides);
 }
 

@@ -19,12 +19,12 @@ struct CompareArguments {
 };
 
 struct EvaluateArguments {
-  std::string study, problem, stiffness;
+  std::string study, problem, stiffness, picture;
   bool json = false;
 };
 
 struct FitArguments {
-  std::string study, problem, with, out;
+  std::string study, problem, with, out, picture;
   StudyOverrides overrides;
 };
 

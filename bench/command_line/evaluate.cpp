@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <filesystem>
 #include <iostream>
 
 #include <fmt/format.h>
@@ -7,6 +8,9 @@
 
 #include "commands.h"
 #include "elastic_state.h"
+#include "output_file.h"
+#include "report/picture_svg.h"
+#include "report/plates.h"
 #include "study_problem.h"
 
 namespace nodal {
@@ -15,6 +19,7 @@ namespace {
 
 int evaluate_elastic(const EvaluateArguments& arguments, const std::string& label,
                      const elastic::ElasticProblem& problem) {
+  if (!arguments.picture.empty()) refuse_no_picture("--picture", arguments.picture);
   const std::vector<double> stiffness = arguments.stiffness.empty()
                                             ? problem.stiffness(problem.space().start())
                                             : elastic::read_stiffness_file(arguments.stiffness, problem.net());
@@ -25,6 +30,12 @@ int evaluate_elastic(const EvaluateArguments& arguments, const std::string& labe
   }
   std::cout << (arguments.json ? to_json(state_json(label, problem, stiffness, state)) + "\n"
                                : state_text(label, problem, state));
+  if (!arguments.picture.empty()) {
+    const std::string title =
+        arguments.stiffness.empty() ? "start" : std::filesystem::path(arguments.stiffness).filename().string();
+    write_output(arguments.picture, report::picture_svg(report::make_plate(problem, stiffness, state, label, title)));
+    std::cerr << fmt::format("written: {}\n", arguments.picture);
+  }
   return 0;
 }
 
@@ -33,6 +44,9 @@ int evaluate_any(const EvaluateArguments& arguments, const std::string& label, c
   if (!arguments.stiffness.empty())
     throw InputError(Source{"--stiffness", 0},
                      fmt::format("problem '{}' has no springs; it is for elastic problems", label));
+  if (!arguments.picture.empty())
+    throw InputError(Source{"--picture", 0},
+                     fmt::format("problem '{}' has no springs to draw; it is for elastic problems", label));
   const Evaluation result = problem.make_evaluator()->audit(problem.space().start());
   if (!result.ok()) {
     std::cerr << fmt::format("nodal: {}: the start is {}\n", label, to_string(result.status));

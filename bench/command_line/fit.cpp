@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
-#include <fstream>
 #include <iostream>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -10,7 +10,10 @@
 #include <nodal/trial.h>
 
 #include "commands.h"
+#include "output_file.h"
 #include "progress.h"
+#include "report/picture_svg.h"
+#include "report/plates.h"
 #include "study_problem.h"
 
 namespace nodal {
@@ -100,18 +103,28 @@ std::string fitted_json(const Problem& problem, const std::vector<double>& x) {
   return to_json(table);
 }
 
-void write_export(const std::string& path, const std::string& text) {
-  std::ofstream out(path, std::ios::binary | std::ios::trunc);
-  out << text << '\n' << std::flush;
-  if (!out) throw StoreError(fmt::format("cannot write '{}'", path));
+// Before a long fit, not after it.
+void refuse_outputs(const FitArguments& arguments, const StudyProblem& entry) {
+  if (!arguments.out.empty()) refuse_unwritable("--export", arguments.out);
+  if (arguments.picture.empty()) return;
+  if (!dynamic_cast<const elastic::ElasticProblem*>(entry.problem.get()))
+    throw InputError(Source{"--picture", 0},
+                     fmt::format("problem '{}' has no springs to draw; it is for elastic problems", entry.label));
+  refuse_no_picture("--picture", arguments.picture);
 }
 
-// Before a long fit, not after it.
-void refuse_unwritable(const std::string& path) {
-  std::ofstream out(path, std::ios::binary | std::ios::app);
-  if (!out)
-    throw InputError(Source{"--export", 0},
-                     fmt::format("cannot write '{}'; give a file in a folder that exists and may be written", path));
+// False where the fitted system can't be solved, and so not drawn.
+bool write_picture(const FitArguments& arguments, const StudyProblem& entry, const std::string& optimizer,
+                   const std::vector<double>& x) {
+  const auto& problem = dynamic_cast<const elastic::ElasticProblem&>(*entry.problem);
+  const std::optional<report::Plate> plate = report::make_plate(problem, x, entry.label, "fitted by " + optimizer);
+  if (!plate) {
+    std::cerr << fmt::format("nodal: no picture: the fitted system of '{}' has no equilibrium\n", entry.label);
+    return false;
+  }
+  write_output(arguments.picture, report::picture_svg(*plate));
+  std::cerr << fmt::format("written: {}\n", arguments.picture);
+  return true;
 }
 
 }  // namespace
@@ -123,7 +136,7 @@ int fit_command(const FitArguments& arguments, const Registry& registry) {
   const Choice choice =
       arguments.with.empty() ? choose(*entry.problem, registry) : named(arguments.with, study, registry);
   refuse_what_it_lacks(*entry.problem, choice.optimizer, registry);
-  if (!arguments.out.empty()) refuse_unwritable(arguments.out);
+  refuse_outputs(arguments, entry);
   std::cerr << fmt::format("{} ({} coordinates) with {}: {}\n", entry.label, entry.problem->space().size(),
                            choice.optimizer.label, choice.why);
 
@@ -136,10 +149,12 @@ int fit_command(const FitArguments& arguments, const Registry& registry) {
   if (arguments.out.empty()) {
     std::cout << fitted << '\n';
   } else {
-    write_export(arguments.out, fitted);
+    write_output(arguments.out, fitted + "\n");
     std::cerr << fmt::format("written: {}\n", arguments.out);
   }
-  return record.end == End::failed ? kExitTrialFailed : 0;
+  const bool drawn =
+      arguments.picture.empty() || write_picture(arguments, entry, choice.optimizer.label, record.best->x);
+  return record.end == End::failed || !drawn ? kExitTrialFailed : 0;
 }
 
 }  // namespace nodal

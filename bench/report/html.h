@@ -23,7 +23,8 @@ namespace nodal::report {
 /// Before and after, load by load, on one scale of deformation and of colour. Empty without plates.
 [[nodiscard]] std::string plates_html(const std::vector<const Plate*>& plates);
 
-/// Files that the build has put into the program.
+/// Files that the build has put into the program. Pictures need picture_css wherever they stand.
+[[nodiscard]] std::string_view picture_css();
 [[nodiscard]] std::string_view report_css();
 [[nodiscard]] std::string_view report_js();
 [[nodiscard]] std::string_view vega_js();

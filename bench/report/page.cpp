@@ -119,6 +119,7 @@ std::string report_html(const ReportData& data) {
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" +
       escape_html(data.study_name.empty() ? "nodal" : data.study_name + " – nodal") + "</title>\n<style>\n";
   page += report_css();
+  page += picture_css();
   page += "</style>\n</head>\n<body>\n<main>\n" + body + "</main>\n";
   if (has_charts(data)) {
     page += "<script>\n";

@@ -2,49 +2,50 @@
 #pragma once
 
 /// Draws plates as in the paper's Figure 8: the body's own deformation dotted, the spring system's on top, each spring
-/// coloured by its stiffness on a logarithmic scale.
+/// coloured by its stiffness on a logarithmic scale; and the system at rest, with the body, its Voronoi cells and its
+/// masses. What is drawn is styled by picture.css.
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
-#include "plate.h"
+#include "picture_frame.h"
+#include "stiffness_colours.h"
 
 namespace nodal::report {
 
-/// Colours from the softest to the stiffest spring, readable without telling red from green, dark enough on white.
-class StiffnessColours {
+/// Which springs a panel draws: all up to `most`, beyond that those along the border and of the others an even share,
+/// chosen by their number alone. So a file stays below a few megabytes, and a drawing of so many lines looks the same.
+class DrawnSprings {
  public:
-  static constexpr std::size_t kSteps = 24;
+  static constexpr std::size_t kMostAtRest = 60'000, kMostUnderLoad = 20'000;
 
-  explicit StiffnessColours(const std::vector<const Plate*>& plates);
+  DrawnSprings(const Plate& plate, std::size_t most);
 
-  /// 0 for the softest, kSteps − 1 for the stiffest.
-  [[nodiscard]] std::size_t step(double stiffness) const;
-  [[nodiscard]] static std::string colour(std::size_t step);
-  [[nodiscard]] double softest() const noexcept { return softest_; }
-  [[nodiscard]] double stiffest() const noexcept { return stiffest_; }
+  [[nodiscard]] bool contains(std::size_t spring) const { return all_ || drawn_[spring]; }
+  [[nodiscard]] std::size_t count() const noexcept { return count_; }
 
  private:
-  double softest_ = 0.0, stiffest_ = 0.0;
+  bool all_ = true;
+  std::vector<bool> drawn_;
+  std::size_t count_ = 0;
 };
 
-/// What all panels of a problem share, so that they compare: metres to drawing units, and the scale of displacements.
-struct PlateFrame {
-  Vector2 low = {0.0, 0.0};  ///< metres, lower left of the picture
-  double unit = 1.0;         ///< drawing units per metre
-  double width = 0.0, height = 0.0;
-  double magnification = 1.0;  ///< displacements are drawn this much larger: 1, 2 or 5 times a power of ten
-  double arrow = 0.0;          ///< drawing units per newton
+/// Springs between the nodes' places in the drawing, a path for each colour.
+[[nodiscard]] std::string spring_lines(const Plate& plate, const DrawnSprings& drawn,
+                                       const std::vector<Vector2>& places, double line_width,
+                                       const StiffnessColours& colours);
 
-  [[nodiscard]] Vector2 at(const Vector2& node, const Vector2& displacement) const;
-};
-[[nodiscard]] PlateFrame make_frame(const std::vector<const Plate*>& plates);
+/// One load of one plate: what stands inside an <svg> element of the frame's size.
+[[nodiscard]] std::string load_panel(const Plate& plate, const PlateLoad& load, const PlateFrame& frame,
+                                     const StiffnessColours& colours);
+/// The same as a complete <svg> element.
+[[nodiscard]] std::string load_svg(const Plate& plate, const PlateLoad& load, const PlateFrame& frame,
+                                   const StiffnessColours& colours);
 
-/// The largest of 1, 2, 5 × a power of ten that is not above `value`, which is positive.
-[[nodiscard]] double round_down_125(double value);
-
-/// One load of one plate: a complete <svg> element.
-[[nodiscard]] std::string panel_svg(const Plate& plate, const PlateLoad& load, const PlateFrame& frame,
-                                    const StiffnessColours& colours);
+/// The system at rest: body, Voronoi cells, springs, nodes sized by mass, and a strip with the scales of both.
+[[nodiscard]] Drawing system_panel(const Plate& plate, double width, const StiffnessColours& colours);
+/// The same as a complete <svg> element.
+[[nodiscard]] std::string system_svg(const Plate& plate, double width, const StiffnessColours& colours);
 
 }  // namespace nodal::report

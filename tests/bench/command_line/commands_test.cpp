@@ -124,6 +124,80 @@ TEST(Fit, ExportsWhatEvaluateReads) {
   EXPECT_LT(fitted, 0.5 * start);
 }
 
+std::size_t load_panels(const std::string& picture) {
+  std::size_t found = 0;
+  for (std::size_t at = picture.find("<g class=\"load\""); at != std::string::npos;
+       at = picture.find("<g class=\"load\"", at + 1))
+    ++found;
+  return found;
+}
+
+TEST(Evaluate, DrawsTheSystemAndEachLoad) {
+  const Folder folder;
+  folder.write("quick.toml", kQuickStudy);
+  const Output plain = run(folder, {"evaluate", "quick.toml"});
+  const Output output = run(folder, {"evaluate", "quick.toml", "--picture", "start.svg"});
+  EXPECT_EQ(output.exit, 0) << output.err;
+  EXPECT_EQ(output.out, plain.out);
+  EXPECT_EQ(output.err, "written: start.svg\n");
+  const std::string picture = read_file(folder.path() / "start.svg");
+  EXPECT_EQ(load_panels(picture), 4u);
+  EXPECT_TRUE(contains(picture, ">elastic: start</text>"));
+  std::string three = kQuickStudy;
+  three.insert(three.find("points ="), "loads = { supports = \"minimal\" }\n");
+  folder.write("three.toml", three);
+  EXPECT_EQ(run(folder, {"evaluate", "three.toml", "--picture", "three.svg"}).exit, 0);
+  EXPECT_EQ(load_panels(read_file(folder.path() / "three.svg")), 3u);
+}
+
+// The picture of a fit is that of the fitted system: what evaluate draws of the exported file but for the title.
+TEST(Fit, DrawsTheFittedSystem) {
+  const Folder folder;
+  folder.write("quick.toml", kQuickStudy);
+  const Output fit =
+      run(folder, {"fit", "quick.toml", "--with", "annealing", "--export", "k.json", "--picture", "k.svg"});
+  EXPECT_EQ(fit.exit, 0) << fit.err;
+  EXPECT_TRUE(contains(fit.err, "written: k.json\nwritten: k.svg\n")) << fit.err;
+  const std::string fitted = read_file(folder.path() / "k.svg");
+  EXPECT_EQ(load_panels(fitted), 4u);
+  EXPECT_TRUE(contains(fitted, ">elastic: fitted by annealing</text>"));
+  run(folder, {"evaluate", "quick.toml", "--picture", "start.svg"});
+  run(folder, {"evaluate", "quick.toml", "--stiffness", "k.json", "--picture", "again.svg"});
+  std::string again = read_file(folder.path() / "again.svg");
+  for (std::size_t at = again.find("k.json"); at != std::string::npos; at = again.find("k.json"))
+    again.replace(at, 6, "fitted by annealing");
+  EXPECT_TRUE(again == fitted);
+  EXPECT_FALSE(read_file(folder.path() / "start.svg") == fitted);
+}
+
+TEST(Fit, WithoutSpringsHasNoPicture) {
+  const Folder folder;
+  folder.write("sphere.toml", "[budget]\nevaluations = 10\n[problem]\nkind = \"sphere\"\n");
+  for (const char* command : {"fit", "evaluate"}) {
+    const Output output = run(folder, {command, "sphere.toml", "--picture", "sphere.svg"});
+    EXPECT_EQ(output.exit, 2) << command;
+    EXPECT_EQ(output.err, "nodal: --picture: problem 'sphere' has no springs to draw; it is for elastic problems\n");
+    EXPECT_FALSE(std::filesystem::exists(folder.path() / "sphere.svg"));
+  }
+}
+
+// Refused before the work, so nothing is left where nothing was.
+TEST(Evaluate, WithoutAnEquilibriumLeavesNoPicture) {
+  const Folder folder;
+  folder.write("quick.toml", kQuickStudy);
+  Value springs = parse_json(run(folder, {"evaluate", "quick.toml", "--json"}).out, "stdout").at("springs");
+  for (Value& spring : springs.list()) {
+    const Value::List& nodes = spring.at("nodes").list();
+    const std::int64_t step = nodes[1].integer() - nodes[0].integer();
+    if (step == 2 || step == 4) spring.set("stiffness", 1e-20);
+  }
+  Value file;
+  file.set("springs", springs);
+  folder.write("soft.json", to_json(file));
+  EXPECT_EQ(run(folder, {"evaluate", "quick.toml", "--stiffness", "soft.json", "--picture", "soft.svg"}).exit, 1);
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "soft.svg"));
+}
+
 TEST(Fit, SaysWhichMethodItChoseAndWhy) {
   const Folder folder;
   folder.write("quick.toml", kQuickStudy);

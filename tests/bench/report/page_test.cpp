@@ -58,6 +58,17 @@ TEST(Page, ShowsTheRowsOfTheConsoleTable) {
     EXPECT_NE(page.find(cell), std::string::npos) << cell;
 }
 
+TEST(Page, ShowsTheSystemBeforeItsLoads) {
+  ReportData data = fixture::make_data();
+  data.plates = {fixture::make_square("start", 0.5), fixture::make_square("best: annealing", 0.25)};
+  const std::string page = report_html(data);
+  EXPECT_EQ(count(page, "<svg class=\"plate system\""), 2u);
+  EXPECT_EQ(count(page, "<svg class=\"plate load\""), 2u);
+  EXPECT_EQ(count(page, "<svg class=\"plate scale\""), 1u);  // one for all pictures of the problem
+  EXPECT_LT(page.find("<svg class=\"plate system\""), page.find("<svg class=\"plate load\""));
+  EXPECT_EQ(count(page, picture_css()), 1u);
+}
+
 TEST(Page, WithoutCurvesItHasNeitherChartNorScript) {
   ReportData data = fixture::make_data();
   data.problems[0].curves.clear();

@@ -46,20 +46,21 @@ TEST(PlateSvg, OneStiffnessForAllIsOneColour) {
 }
 
 TEST(PlateSvg, DrawsSpringsBodyForcesAndSupports) {
-  const Plate plate = fixture::make_square("start", 0.5);
+  Plate plate = fixture::make_square("start", 0.5);
+  plate.columns = 2;
   const PlateFrame frame = make_frame({&plate});
-  // 1.1 m wide with displacements, 14 % of that as margin on each side: 240 units for 1.408 m.
-  EXPECT_NEAR(frame.unit, 240.0 / 1.408, 1e-9);
+  // 1.1 m wide with displacements, 12 % of that for the arrow, in 240 units less a margin of 5 on each side.
+  EXPECT_NEAR(frame.unit, 230.0 / 1.232, 1e-9);
   EXPECT_EQ(
-      panel_svg(plate, plate.loads[0], frame, StiffnessColours({&plate})),
-      R"(<svg viewBox="0 0 240 223" role="img" aria-label="stretch-x, start">)"
-      R"(<path stroke="#440154" d="M26.2 196.7L213.8 26.2"/>)"
-      R"(<path stroke="#4cbc6c" d="M26.2 196.7L213.8 196.7M26.2 26.2L213.8 26.2"/>)"
-      R"(<path stroke="#becd1e" d="M26.2 196.7L26.2 26.2M213.8 196.7L213.8 26.2"/>)"
-      R"(<path class="body" d="M26.2 196.7L210.3 196.7M26.2 26.2L210.3 26.2M26.2 196.7L26.2 26.2M210.3 196.7L210.3 26.2"/>)"
-      R"(<path class="force" d="M213.8 196.7L236.3 196.7M232.3 194.3L236.3 196.7L232.3 199.1M213.8 26.2L236.3 26.2M232.3 23.8L236.3 26.2L232.3 28.6"/>)"
-      R"(<rect class="held" x="23.8" y="194.2" width="5" height="5"/>)"
-      R"(<rect class="held" x="23.8" y="23.7" width="5" height="5"/>)"
+      load_svg(plate, plate.loads[0], frame, StiffnessColours({&plate})),
+      R"(<svg class="plate load" viewBox="0 0 240 197" role="img" aria-label="stretch-x, start"><g class="springs" stroke-width="1.60">)"
+      R"(<path stroke="#440154" d="M5.0 191.7L210.4 5.0"/>)"
+      R"(<path stroke="#4cbc6c" d="M5.0 191.7L210.4 191.7M5.0 5.0L210.4 5.0"/>)"
+      R"(<path stroke="#becd1e" d="M5.0 191.7L5.0 5.0M210.4 191.7L210.4 5.0"/></g>)"
+      R"(<path class="body" stroke-width="1.20" d="M5.0 191.7L206.6 191.7M5.0 5.0L206.6 5.0M5.0 191.7L5.0 5.0M206.6 191.7L206.6 5.0"/>)"
+      R"(<path class="force" d="M210.4 191.7L235.0 191.7M231.0 189.3L235.0 191.7L231.0 194.1M210.4 5.0L235.0 5.0M231.0 2.6L235.0 5.0L231.0 7.4"/>)"
+      R"(<rect class="held" x="2.5" y="189.2" width="5.0" height="5.0"/>)"
+      R"(<rect class="held" x="2.5" y="2.5" width="5.0" height="5.0"/>)"
       R"(</svg>)");
 }
 
