@@ -73,6 +73,7 @@ Value state_json(const std::string& label, const elastic::ElasticProblem& proble
   result.set("relative_error", state.relative_error);
   result.set("loads", Value(std::move(loads)));
   result.set("health", health_json(state.health));
+  if (Value details = problem.details(); !details.table().empty()) result.set("details", std::move(details));
   return result;
 }
 

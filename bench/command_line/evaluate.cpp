@@ -7,6 +7,7 @@
 #include <nodal/elastic/stiffness.h>
 
 #include "commands.h"
+#include "drawn_refusal.h"
 #include "elastic_state.h"
 #include "output_file.h"
 #include "report/picture_svg.h"
@@ -68,7 +69,7 @@ int evaluate_any(const EvaluateArguments& arguments, const std::string& label, c
 }  // namespace
 
 int evaluate_command(const EvaluateArguments& arguments, const Registry& registry) {
-  const Study study = read_study(arguments.study, registry);
+  const Study study = read_study_or_draw(arguments.study, registry, {}, arguments.picture);
   const StudyProblem& entry = study.problems[find_problem(study, arguments.problem)];
   if (const auto* elastic = dynamic_cast<const elastic::ElasticProblem*>(entry.problem.get()))
     return evaluate_elastic(arguments, entry.label, *elastic);

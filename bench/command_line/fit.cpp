@@ -10,6 +10,7 @@
 #include <nodal/trial.h>
 
 #include "commands.h"
+#include "drawn_refusal.h"
 #include "output_file.h"
 #include "progress.h"
 #include "report/picture_svg.h"
@@ -130,7 +131,7 @@ bool write_picture(const FitArguments& arguments, const StudyProblem& entry, con
 }  // namespace
 
 int fit_command(const FitArguments& arguments, const Registry& registry) {
-  Study study = read_study(arguments.study, registry, arguments.overrides);
+  Study study = read_study_or_draw(arguments.study, registry, arguments.overrides, arguments.picture);
   const std::size_t problem_index = find_problem(study, arguments.problem);
   const StudyProblem& entry = study.problems[problem_index];
   const Choice choice =

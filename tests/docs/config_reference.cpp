@@ -95,7 +95,7 @@ problem can't give is refused when the study is read; one that this build lacks 
 
 )";
 
-// Rules that no single range can express; problems/elastic/src/scene.cpp and body/body_options.cpp check them.
+// Rules that no single range can express; problems/elastic/src/scene/ and body/body_options.cpp check them.
 constexpr std::string_view kElasticRules = R"(Rules between these keys:
 
 - `body`: `size` and `corner` belong to shape `rectangle`; `radius`, `sides` and `centre` to `disc`, `ring` and
@@ -106,12 +106,22 @@ constexpr std::string_view kElasticRules = R"(Rules between these keys:
   round will do: `nodal explain` says which rings were turned round. Refused, with their place, are points that
   coincide, sides that cross, touch or fold back, rings without area, holes not inside the outline or within each
   other, and an outline so far from the origin that its coordinates are rounded to more than 1e-9 of its size.
-- A body other than an upright `rectangle` can't be filled by `points.layout = "grid"`.
+- `points`: a grid with `counts` fills an upright rectangle; with `spacing` or `cell` it is clipped to any body: exactly
+  its nodes where a grid topology joins them, else nodes inside and others along the outline. `layout = "random"` and
+  `"voronoi"` need `total`, or `inner`. Keys of another layout are refused. Iterated Voronoi regions spread points by the
+  square root of a `density`, random ones by the density itself.
 - `points.counts`: at least 2 in each direction, at most 1,000,000 nodes.
+- `springs.topology`: `single`, `alternating` and `crossed` join a grid, `triangular` a triangular one; the others join any
+  points. `springs.file` takes the place of a topology.
+- A net in which nodes can move without resistance is refused with the nodes that move, and drawn by `--picture`.
 - `springs.bounds`: 0 < lower < upper. They are multiplied by `material.young` and `body.thickness`: N/m.
 - `springs.initial`: as a table it has either `rule` or `file`. `lattice` needs `topology = "crossed"` and square cells.
   What a rule puts outside the bounds is moved just inside (`nodal explain` says so); a file is refused instead.
-- `springs.parameters = "symmetric"` is refused where a reflection of the plate doesn't carry the topology into itself.
+- `springs.parameters = "symmetric"` is refused where no rotation or reflection carries the net into itself; `"groups"`
+  needs a file of springs with a column `group`; as a table it has either `rule` or `lists`.
+- `masses` other than `none` need an outline; `positive` is refused where such masses are proved impossible.
+- `loads.stress` and `loads.supports` belong to the plate set, `loads.cases` to loads of your own, which need
+  `reference.file`: [your_own_system.md](your_own_system.md).
 - `loads.stress` is not 0, and not all `quality.weights` are 0: there would be nothing to fit.
 - In plane strain `material.poisson` is at most 0.4999.
 

@@ -17,6 +17,28 @@ namespace {
 // start on a bound can stick to it.
 constexpr double kJustInside = 1e-6;
 
+std::string voronoi_detail(const Net& net) {
+  if (net.history.empty()) return "no points were spread by them";
+  const VoronoiStep &first = net.history.front(), &last = net.history.back();
+  return fmt::format(
+      "{} iterations: deviation of neighbours' distances {:.3g} → {:.3g}, of areas {:.3g} → {:.3g}, energy "
+      "{:.4g} → {:.4g} (hexagons: 0.0802)",
+      last.iteration, first.distance_deviation, last.distance_deviation, first.area_deviation, last.area_deviation,
+      first.energy, last.energy);
+}
+
+std::string triangulation_detail(const Net& net) {
+  if (!net.triangles.empty()) return fmt::format("{} triangles within the outlines", net.triangles.size());
+  return net.grid.columns > 0 ? "the grid's topology says which nodes are joined"
+                              : fmt::format("the springs are made otherwise: {}", net.topology);
+}
+
+std::string masses_detail(const Scene& scene) {
+  if (scene.net.masses.empty()) return "equilibria need none";
+  if (scene.masses.table().empty()) return "as the file of nodes says";
+  return fmt::format("{}: {}", scene.masses.at("form").text(), scene.masses.at("message").text());
+}
+
 }  // namespace
 
 struct ElasticProblem::Data {
@@ -109,6 +131,26 @@ State ElasticProblem::solve(std::span<const double> stiffness) const {
   return state;
 }
 
+Value ElasticProblem::details() const {
+  Value details;
+  const Net& net = scene().net;
+  Value::List iterations;
+  for (const VoronoiStep& step : net.history) {
+    Value line;
+    line.set("iteration", Value(static_cast<std::int64_t>(step.iteration)));
+    line.set("distance_deviation", step.distance_deviation);
+    line.set("area_deviation", step.area_deviation);
+    line.set("energy", step.energy);
+    line.set("inner_energy", step.inner_energy);
+    line.set("area_error", step.area_error);
+    line.set("largest_move", step.largest_move);
+    iterations.push_back(std::move(line));
+  }
+  if (!iterations.empty()) details.set("voronoi", Value(std::move(iterations)));
+  if (!scene().masses.table().empty()) details.set("masses", scene().masses);
+  return details;
+}
+
 std::string ElasticProblem::fingerprint() const { return scene().files_hash; }
 
 std::vector<Stage> ElasticProblem::stages() const {
@@ -118,10 +160,12 @@ std::vector<Stage> ElasticProblem::stages() const {
   return {
       {"body", true, fmt::format("{}, thickness {}", s.net.body.name, s.net.body.thickness)},
       {"points", true, s.net.layout},
-      {"iterated Voronoi regions", false, "the points lie on a grid"},
+      {"iterated Voronoi regions", !s.net.history.empty(), voronoi_detail(s.net)},
       {"springs", true, fmt::format("{}, {} springs", s.net.topology, s.net.springs.size())},
-      {"Delaunay triangulation", false, "the grid's topology says which nodes are joined"},
-      {"masses", false, "equilibria need none"},
+      {"Delaunay triangulation", !s.net.triangles.empty(), triangulation_detail(s.net)},
+      {"rigidity by sparse QR", s.net.grid.columns == 0,
+       s.net.grid.columns == 0 ? "no node moves without resistance" : "a grid with diagonals is rigid"},
+      {"masses", !s.net.masses.empty(), masses_detail(s)},
       {"loads", true,
        fmt::format("{} load cases, {} support group{}", s.loads.loads.size(), s.loads.groups.size(),
                    s.loads.groups.size() == 1 ? "" : "s")},
@@ -157,6 +201,7 @@ std::vector<Stage> ElasticProblem::stages() const {
 std::vector<std::string> ElasticProblem::remarks() const {
   const Scene& s = scene();
   std::vector<std::string> remarks = s.net.body.remarks;
+  remarks.insert(remarks.end(), s.net.remarks.begin(), s.net.remarks.end());
   double factor_entries = 0.0;
   for (const auto& group : data_->model.groups) factor_entries += group->pattern().factor_entries();
   const double jacobian_mib = static_cast<double>(residual_count() * parameters().size()) * 8.0 / 1048576.0;

@@ -318,7 +318,7 @@ TEST(Border, ListsItsNodesAlongEachRing) {
 // ────────────────────────────────────────────────────────────────────────────────────────────────────────────
 
 Body body_of(const std::string& json) {
-  return read_body(resolve_options(body_fields(), parse_json(json, "s.toml"), "'body'"), {});
+  return read_body(resolve_options(body_fields(), parse_json(json, "s.toml"), "'body'"), {}, "rectangle");
 }
 
 std::string refusal(const std::string& json) {
@@ -400,12 +400,12 @@ std::string scene_refusal(const std::string& body) {
 }
 
 TEST(BodyOptions, FillNoGridButARectangle) {
-  EXPECT_EQ(scene_refusal("{ shape = \"disc\", radius = 1 }"),
-            "s.toml:6: layout 'grid' doesn't fit body 'disc of radius 1 (64 sides)': a grid needs a body that is an "
-            "upright rectangle; take shape 'rectangle'");
+  EXPECT_EQ(
+      scene_refusal("{ shape = \"disc\", radius = 1 }"),
+      "s.toml:6: a grid needs a body that is an upright rectangle; give a 'spacing', and the grid is clipped to the "
+      "body");
   EXPECT_EQ(scene_refusal("{ shape = \"none\" }"),
-            "s.toml:6: layout 'grid' doesn't fit body 'none': a grid needs a body that is an upright rectangle; take "
-            "shape 'rectangle'");
+            "s.toml:6: layout 'grid' needs a body with an outline; this one has none");
   EXPECT_EQ(scene_refusal("{ shape = \"polygon\", outline = [[0, 0], [2, 0], [2, 1], [0, 1]] }"),
             "(nothing was thrown)");
 }

@@ -237,12 +237,10 @@ TEST_F(Brought, AChangedFileMakesOtherTrials) {
 TEST_F(Brought, WhatIsWrongIsSaidWithItsPlace) {
   write_plate(*make_plate({.supports = "minimal"}));
   const std::string cases = plate_cases(4);
-  EXPECT_EQ(refusal("points = { file = \"nodes.csv\" }\n" + cases),
-            "study.toml:3: nodes from a file need springs = { file = … }");
   EXPECT_EQ(refusal("points = { file = \"none.csv\" }\nsprings = { file = \"springs.csv\" }\n"),
             "cannot read node file 'none.csv': No such file or directory");
   EXPECT_EQ(refusal("points = { file = \"nodes.csv\", counts = [3, 3] }\n"),
-            "study.toml:5: 'file' and 'counts' exclude each other");
+            "study.toml:5: 'counts' belongs to layout 'grid', and this one is 'file'");
   const std::string files = kFiles;
   EXPECT_NE(refusal(files.substr(0, files.find("reference")) + cases).find("cases of your own need reference = { file"),
             std::string::npos);

@@ -150,7 +150,7 @@ class OutlineFile : public testing::Test {
     Value options;
     options.set("shape", "file");
     options.set("file", file);
-    return read_body(resolve_options(body_fields(), options, "'body'"), {directory_.path(), {}});
+    return read_body(resolve_options(body_fields(), options, "'body'"), {directory_.path(), {}}, "rectangle");
   }
   std::string refusal(const std::string& file) {
     return message_of([&] { (void)body(file); });

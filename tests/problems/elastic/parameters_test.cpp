@@ -10,8 +10,8 @@
 #include <nodal/elastic/parameters.h>
 #include <nodal/random.h>
 
-#include "spring_classes.h"
-#include "symmetry.h"
+#include "parameters/spring_classes.h"
+#include "parameters/symmetry.h"
 
 namespace nodal::elastic {
 namespace {

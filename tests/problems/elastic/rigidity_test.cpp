@@ -12,7 +12,7 @@
 
 #include <nodal/random.h>
 
-#include "rigidity.h"
+#include "rigidity/rigidity.h"
 
 namespace nodal::elastic {
 namespace {

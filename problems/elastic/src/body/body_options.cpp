@@ -123,7 +123,9 @@ OptionSchema body_fields() {
   return {
       {.name = "shape",
        .type = OptionType::text,
-       .default_value = "rectangle",
+       .default_text =
+           "by the keys: size makes a rectangle, outline a polygon, file a file; without any rectangle, or none where "
+           "points come from a file",
        .choices = {"rectangle", "disc", "ring", "regular", "polygon", "file", "none"},
        .help = "outline of the body; regular is a regular polygon, none says that only nodes are known"},
       size,
@@ -169,8 +171,20 @@ OptionSchema body_fields() {
   };
 }
 
-Body read_body(const Options& body, const ProblemContext& context) {
-  const std::string& shape = body.text("shape");
+namespace {
+
+// What is said, or what a key says that belongs to one shape alone: an outline makes a polygon.
+std::string shape_of(const Options& body, const std::string& default_shape) {
+  if (body.has("shape")) return body.text("shape");
+  for (const ShapeKey& key : shape_keys())
+    if (body.has(key.name) && key.shapes.size() == 1) return key.shapes.front();
+  return default_shape;
+}
+
+}  // namespace
+
+Body read_body(const Options& body, const ProblemContext& context, const std::string& default_shape) {
+  const std::string shape = shape_of(body, default_shape);
   check_keys(body, shape);
   const double thickness = body.number("thickness"), corner_turn = radians(body.number("corner_turn"));
   if (shape == "none") return {.name = "none", .rings = {}, .thickness = thickness, .corner_turn = corner_turn};

@@ -16,9 +16,19 @@ namespace {
 // Draws per point, over all points, after which a density is given up: one in ten thousand kept takes a second for 10⁴.
 constexpr std::size_t kDrawsPerPoint = 10000;
 
+// The polygon that the border points make, ring by ring: what a triangulation of all points will fill.
+Outline polygon_of(const Outline& outline, const PlacedPoints& border) {
+  Body polygon;
+  polygon.rings.resize(outline.rings());
+  for (std::size_t i = 0; i < border.size(); ++i)
+    polygon.rings[outline.chains()[border.places[i].chain].ring].push_back(border.points[i]);
+  return Outline(polygon);
+}
+
 void add_inner(const Outline& outline, const RandomPointsOptions& options, RandomStream& random, PlacedPoints& made) {
   if (options.inner == 0) return;
   const AreaSampler area(outline);
+  const Outline polygon = polygon_of(outline, made);
   const auto total = static_cast<double>(options.inner + options.border);
   const double keep = outline.clearance(even_spacing(outline.area(), total));
   const double bound = options.density.bound();
@@ -26,13 +36,15 @@ void add_inner(const Outline& outline, const RandomPointsOptions& options, Rando
   std::size_t kept = 0;
   for (std::size_t draw = 0; kept < options.inner; ++draw) {
     if (draw == most)
-      throw std::invalid_argument(fmt::format(
-          "the density is too uneven for random points: of {} draws in the body {} were kept, {} are needed; "
-          "factors nearer to 1 or wider spots would do",
-          draw, kept, options.inner));
+      throw std::invalid_argument(
+          fmt::format("the density is too uneven for random points, or the border points too few to follow the "
+                      "outline: of {} draws "
+                      "in the body {} were kept, {} are needed",
+                      draw, kept, options.inner));
     const Point at = area.draw(random);
     if (!options.density.uniform() && random.uniform() * bound >= options.density.at(at)) continue;
     if (outline.distance(at, keep) < keep || !outline.surrounds(at)) continue;
+    if (polygon.distance(at, keep) < keep || !polygon.surrounds(at)) continue;
     made.add(at);
     ++kept;
   }

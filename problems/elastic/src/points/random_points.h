@@ -5,7 +5,7 @@
 /// uniform or by a density. No triangulation is needed.
 ///
 /// Inner points keep a hundredth of the even spacing from the outline (of half a strip's width, where that is less), so
-/// that none is taken for a border point.
+/// that none is taken for a border point, and from the polygon of the border points, so that a triangulation holds all.
 /// Units    metres.
 
 #include <cstddef>

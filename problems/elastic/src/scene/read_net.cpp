@@ -24,13 +24,14 @@ void join(const std::vector<NodePair>& pairs, Net& net) {
 }
 
 void triangulate(Net& net) {
-  net.triangles = net.body.has_outline() ? constrained_triangles(net.nodes, net.outlines) : delaunay_triangles(net.nodes);
+  net.triangles =
+      net.body.has_outline() ? constrained_triangles(net.nodes, net.outlines) : delaunay_triangles(net.nodes);
   const std::size_t slivers = drop_slivers(net.nodes, net.triangles, kLeastTriangleHeight);
   if (slivers > 0)
-    net.remarks.push_back(fmt::format("{} sliver{} on the border, flatter than 1 : {}, {} left out: nodes there lie "
-                                      "nearly on a line",
-                                      slivers, slivers == 1 ? "" : "s", 1.0 / kLeastTriangleHeight,
-                                      slivers == 1 ? "is" : "are"));
+    net.remarks.push_back(
+        fmt::format("{} sliver{} on the border, flatter than 1 : {}, {} left out: nodes there lie "
+                    "nearly on a line",
+                    slivers, slivers == 1 ? "" : "s", 1.0 / kLeastTriangleHeight, slivers == 1 ? "is" : "are"));
 }
 
 std::vector<NodePair> touching_regions(const Net& net) {
@@ -95,7 +96,8 @@ StudyNet read_net(const Options& problem, const ProblemContext& context, const B
     net.topology = topology;
     join(points.grid_pairs, net);
     if (!net.springs.empty()) return read;
-    throw InputError(problem.table("points").values().source, "the grid is so coarse that the body holds no spring of it");
+    throw InputError(problem.table("points").values().source,
+                     "the grid is so coarse that the body holds no spring of it");
   }
   try {
     join_by(topology, springs, net);

@@ -129,10 +129,9 @@ StudyPoints read_clipped_grid(const Options& points, const std::string& topology
     read.net = net_of(body, make_fitted_grid(outline, cell, cells).points);
     form = "inside the body, and nodes along its outline";
   }
-  read.net.layout = fmt::format("{} nodes: a {} grid, {}", read.net.nodes.size(),
-                                triangular ? fmt::format("triangular {} m", cell[0])
-                                           : fmt::format("{} m × {} m", cell[0], cell[1]),
-                                form);
+  read.net.layout = fmt::format(
+      "{} nodes: a {} grid, {}", read.net.nodes.size(),
+      triangular ? fmt::format("triangular {} m", cell[0]) : fmt::format("{} m × {} m", cell[0], cell[1]), form);
   return read;
 }
 
@@ -197,7 +196,12 @@ StudyPoints read_scattered(const Options& points, const Body& body, const Outlin
 OptionSchema density_fields() {
   return {
       {.name = "at", .type = OptionType::number_list, .required = true, .unit = "m", .length = 2, .help = "centre"},
-      {.name = "radius", .required = true, .unit = "m", .minimum = 0.0, .minimum_excluded = true, .help = "of the spot"},
+      {.name = "radius",
+       .required = true,
+       .unit = "m",
+       .minimum = 0.0,
+       .minimum_excluded = true,
+       .help = "of the spot"},
       {.name = "factor",
        .required = true,
        .minimum = 0.0,
@@ -238,7 +242,8 @@ std::string read_topology(const Options& problem) {
     throw InputError(source, fmt::format("topology '{}' is a mechanism: without diagonals its cells shear without "
                                          "resistance; take 'single', 'alternating' or 'crossed'",
                                          topology));
-  const bool fits = !is_grid_topology(topology) || (topology == "triangular" ? layout == "triangular" : layout == "grid");
+  const bool fits =
+      !is_grid_topology(topology) || (topology == "triangular" ? layout == "triangular" : layout == "grid");
   if (!fits)
     throw InputError(source, fmt::format("topology '{}' doesn't join points of layout '{}'; take {}", topology, layout,
                                          layout == "triangular" ? "'triangular' or 'delaunay'"
@@ -253,8 +258,9 @@ OptionSchema points_fields() {
        .type = OptionType::text,
        .default_text = "file where one is given, else grid",
        .choices = {"grid", "triangular", "random", "voronoi", "file"},
-       .help = "how nodes are placed: a grid of square or rectangular cells, one of equilateral triangles, at random, at "
-               "random and then spread by iterated Voronoi regions (needs CGAL), or as a file says"},
+       .help =
+           "how nodes are placed: a grid of square or rectangular cells, one of equilateral triangles, at random, at "
+           "random and then spread by iterated Voronoi regions (needs CGAL), or as a file says"},
       {.name = "counts",
        .type = OptionType::integer_list,
        .default_text = "[5, 5]",
@@ -285,7 +291,10 @@ OptionSchema points_fields() {
        .default_text = "even",
        .help = "random, voronoi: spots where points are denser or rarer, 1 + Σ (factor − 1) exp(−|x − at|²/radius²)",
        .fields = density_fields()},
-      {.name = "seed", .type = OptionType::integer, .default_text = "1", .help = "random, voronoi: of the points alone"},
+      {.name = "seed",
+       .type = OptionType::integer,
+       .default_text = "1",
+       .help = "random, voronoi: of the points alone"},
       {.name = "iterations",
        .type = OptionType::integer,
        .default_text = "50",

@@ -40,6 +40,7 @@ inline constexpr double kLeastTriangleHeight = 1e-3;
 [[nodiscard]] std::vector<NodePair> side_pairs(const std::vector<Triangle>& triangles);
 [[nodiscard]] std::vector<NodePair> flip_pairs(const std::vector<Point>& nodes, const std::vector<Triangle>& triangles);
 /// Without an outline nothing stands between nodes. Cost     n log n.
-[[nodiscard]] std::vector<NodePair> nearest_pairs(const Outline* outline, const std::vector<Point>& nodes, std::size_t count);
+[[nodiscard]] std::vector<NodePair> nearest_pairs(const Outline* outline, const std::vector<Point>& nodes,
+                                                  std::size_t count);
 
 }  // namespace nodal::elastic

@@ -44,7 +44,8 @@ struct Scene {
   std::string initial_rule;                     ///< for `explain`
   std::string solver = "auto";                  ///< auto | lanes | simplicial | supernodal
   double stress = 1.0;                          ///< of the plate loads
-  std::string files_hash;          ///< of the contents of all files that the scene was read from; empty without any
+  Value masses;            ///< how well the net\'s masses have the body\'s moments; an empty table without masses
+  std::string files_hash;  ///< of the contents of all files that the scene was read from; empty without any
   std::string measured_reference;  ///< where the reference comes from, for `explain`; empty for the closed form
   MovesOptions moves = {};
 
@@ -86,6 +87,8 @@ class ElasticProblem final : public Problem {
   [[nodiscard]] std::optional<double> relative_error(double cost) const override;
   [[nodiscard]] std::vector<Stage> stages() const override;
   [[nodiscard]] std::vector<std::string> remarks() const override;
+  /// "voronoi": the iterations that spread the points; "masses": how well they have the body's moments.
+  [[nodiscard]] Value details() const override;
   [[nodiscard]] std::string fingerprint() const override;
 
   [[nodiscard]] const Scene& scene() const noexcept;

@@ -62,8 +62,8 @@ struct Net {
   std::vector<double> masses;            ///< [nodes], kg; empty where nothing needs masses
   std::vector<std::vector<Ring>> cells;  ///< [nodes]: the rings of each Voronoi region in the body; empty without any
   std::string layout;                    ///< how nodes were placed, in a phrase: "grid of 5 × 5 nodes"
-  std::vector<VoronoiStep> history;  ///< of iterated Voronoi regions; empty without
-  std::vector<std::string> remarks;  ///< what was mended, dropped or found on the way here
+  std::vector<VoronoiStep> history;      ///< of iterated Voronoi regions; empty without
+  std::vector<std::string> remarks;      ///< what was mended, dropped or found on the way here
   std::vector<std::int64_t> ids;         ///< [nodes]: what a file of the user's calls them; empty for 0, 1, 2, …
 
   /// What people call a node.

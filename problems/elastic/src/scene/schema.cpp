@@ -5,6 +5,8 @@
 #include "body/body_options.h"
 #include "cholesky.h"
 #include "loads/study_loads.h"
+#include "scene/read_masses.h"
+#include "scene/read_parameters.h"
 #include "scene/read_points.h"
 
 namespace nodal {
@@ -51,9 +53,7 @@ OptionSchema springs_fields() {
                "points delaunay, delaunay-flip, voronoi-neighbours (all three need CGAL), nearest"},
       {.name = "nearest", .type = OptionType::integer, .default_text = "6", .minimum = 1, .maximum = 1000,
        .help = "of topology nearest: with how many of its nearest nodes each is joined"},
-      {.name = "parameters", .type = OptionType::text, .default_value = "each",
-       .choices = {"each", "by-direction", "symmetric", "uniform"},
-       .help = "which springs share one stiffness: none, all of a direction, mirror images, all"},
+      parameters_option(),
       {.name = "initial", .type = OptionType::text,
        .default_text = "paper; with a file of springs its stiffnesses, or paper scaled by its best factor", .choices = {"paper", "area", "lattice", "energy"},
        .help = "rule of the start: paper k = E t s0/4; area (Van Gelder); lattice, exact at ν = 1/3; energy, the minimiser "
@@ -97,6 +97,7 @@ OptionSchema elastic_schema() {
       table("body", "what is approximated", body_fields()),
       table("material", "linear elastic, isotropic, homogeneous", material_fields()),
       table("points", "where the nodes are", points_fields()),
+      table("masses", "how heavy the nodes are", masses_fields()),
       table("springs", "which nodes are joined, what is free, where it starts", springs_fields()),
       table("loads", "forces and supports", loads_fields()),
       table("reference", "the displacements to be matched", reference_fields()),

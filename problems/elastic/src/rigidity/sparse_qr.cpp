@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "sparse_qr.h"
+#include "rigidity/sparse_qr.h"
 
 #include <SuiteSparseQR_C.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "rigidity.h"
+#include "rigidity/rigidity.h"
 
 #include <algorithm>
 #include <array>
@@ -11,7 +11,7 @@
 #include <fmt/format.h>
 #include <nodal/random.h>
 
-#include "sparse_qr.h"
+#include "rigidity/sparse_qr.h"
 
 namespace nodal::elastic {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "spring_classes.h"
+#include "parameters/spring_classes.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "symmetry.h"
+#include "parameters/symmetry.h"
 
 #include <algorithm>
 #include <cmath>

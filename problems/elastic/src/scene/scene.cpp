@@ -13,7 +13,10 @@
 #include "files/text_file.h"
 #include "lanes/lane_instructions.h"
 #include "loads/study_loads.h"
+#include "scene/read_masses.h"
 #include "scene/read_net.h"
+#include "scene/read_parameters.h"
+#include "scene/require_rigid.h"
 
 namespace nodal::elastic {
 
@@ -139,11 +142,14 @@ std::string hash_files(const Options& options, const ProblemContext& context) {
 
 Scene make_scene(const Options& options, const ProblemContext& context) {
   Scene scene;
-  const Body body = read_body(options.table("body"), context);
+  const char* shape = options.table("points").has("file") ? "none" : "rectangle";
+  const Body body = read_body(options.table("body"), context, shape);
   scene.material = read_material(options);
   StudyNet study = read_net(options, context, body);
   scene.net = std::move(study.net);
+  scene.masses = read_masses(options.table("masses"), scene.net);
   read_loads(options, context, scene);
+  require_rigid(scene.net, scene.loads, options.table("springs").values().source);
 
   const Options weights = options.table("quality").table("weights");
   scene.weights = {weights.number("inner"), weights.number("border"), weights.number("corner")};
@@ -152,12 +158,7 @@ Scene make_scene(const Options& options, const ProblemContext& context) {
   scene.solver = options.table("equilibrium").text("method");
 
   const Options springs = options.table("springs");
-  scene.parameter_rule = springs.text("parameters");
-  try {
-    (void)Parameters(scene.net, scene.parameter_rule);
-  } catch (const std::invalid_argument& error) {
-    throw InputError(springs.at("parameters").source, std::string(error.what()) + "; take 'each' or 'by-direction'");
-  }
+  scene.parameter_rule = read_parameters(springs.at("parameters"), scene.net, study.groups);
   scene.moves = read_moves(options.table("moves"), scene);
   scene.stiffness_bounds = read_bounds(springs, scene.material.young * body.thickness);
   read_start(springs, context, study.stiffness, scene);
