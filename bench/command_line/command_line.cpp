@@ -111,6 +111,8 @@ void add_fit(CLI::App& app, const Registry& registry, int& exit) {
   add_study_path(command, to->study);
   add_problem_label(command, to->problem);
   command.add_option("--with", to->with, "A label of the study, or any optimizer with its defaults")->type_name("NAME");
+  command.add_flag("--prune", to->prune,
+                   "Leave out springs at the lower bound that the net can do without, and say what that costs");
   command.add_option("--export", to->out, "Where the stiffness file goes (default: stdout)")->type_name("FILE");
   add_picture(command, to->picture);
   add_budget(command, to->overrides);

@@ -25,6 +25,7 @@ struct EvaluateArguments {
 
 struct FitArguments {
   std::string study, problem, with, out, picture;
+  bool prune = false;
   StudyOverrides overrides;
 };
 

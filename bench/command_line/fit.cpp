@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <nodal/elastic/elastic_problem.h>
+#include <nodal/elastic/pruning.h>
 #include <nodal/elastic/stiffness.h>
 #include <nodal/trial.h>
 
@@ -96,36 +97,68 @@ void refuse_what_it_lacks(const Problem& problem, const StudyOptimizer& optimize
     throw InputError(Source{"--with", 0}, fmt::format("optimizer '{}' {}", optimizer.label, refusal));
 }
 
-std::string fitted_json(const Problem& problem, const std::vector<double>& x) {
-  if (const auto* elastic = dynamic_cast<const elastic::ElasticProblem*>(&problem))
-    return elastic::system_json(elastic->net(), elastic->stiffness(x));
-  Value table;
-  for (std::size_t i = 0; i < x.size(); ++i) table.set(problem.space().name(i), x[i]);
-  return to_json(table);
+const elastic::ElasticProblem* as_elastic(const StudyProblem& entry) {
+  return dynamic_cast<const elastic::ElasticProblem*>(entry.problem.get());
 }
 
 // Before a long fit, not after it.
 void refuse_outputs(const FitArguments& arguments, const StudyProblem& entry) {
   if (!arguments.out.empty()) refuse_unwritable("--export", arguments.out);
-  if (arguments.picture.empty()) return;
-  if (!dynamic_cast<const elastic::ElasticProblem*>(entry.problem.get()))
+  if (!arguments.picture.empty()) refuse_no_picture("--picture", arguments.picture);
+  if (as_elastic(entry)) return;
+  if (!arguments.picture.empty())
     throw InputError(Source{"--picture", 0},
                      fmt::format("problem '{}' has no springs to draw; it is for elastic problems", entry.label));
-  refuse_no_picture("--picture", arguments.picture);
+  if (arguments.prune)
+    throw InputError(Source{"--prune", 0},
+                     fmt::format("problem '{}' has no springs to leave out; it is for elastic problems", entry.label));
+}
+
+void write_fitted(const FitArguments& arguments, const std::string& text) {
+  if (arguments.out.empty()) {
+    std::cout << text << '\n';
+    return;
+  }
+  write_output(arguments.out, text + "\n");
+  std::cerr << fmt::format("written: {}\n", arguments.out);
 }
 
 // False where the fitted system can't be solved, and so not drawn.
-bool write_picture(const FitArguments& arguments, const StudyProblem& entry, const std::string& optimizer,
-                   const std::vector<double>& x) {
-  const auto& problem = dynamic_cast<const elastic::ElasticProblem&>(*entry.problem);
-  const std::optional<report::Plate> plate = report::make_plate(problem, x, entry.label, "fitted by " + optimizer);
-  if (!plate) {
-    std::cerr << fmt::format("nodal: no picture: the fitted system of '{}' has no equilibrium\n", entry.label);
+bool write_picture(const FitArguments& arguments, const elastic::ElasticProblem& problem,
+                   std::span<const double> stiffness, const std::string& label, const std::string& title) {
+  const elastic::State state = problem.solve(stiffness);
+  if (state.status != Status::ok) {
+    std::cerr << fmt::format("nodal: no picture: the fitted system of '{}' has no equilibrium\n", label);
     return false;
   }
-  write_output(arguments.picture, report::picture_svg(*plate));
+  write_output(arguments.picture, report::picture_svg(report::make_plate(problem, stiffness, state, label, title)));
   std::cerr << fmt::format("written: {}\n", arguments.picture);
   return true;
+}
+
+// Prunes, exports and draws the system at a point of its space. False where it can't be drawn.
+bool write_system(const FitArguments& arguments, const StudyProblem& entry, const std::string& optimizer,
+                  const std::vector<double>& x) {
+  const elastic::ElasticProblem* problem = as_elastic(entry);
+  std::vector<double> stiffness = problem->stiffness(x);
+  std::string title = "fitted by " + optimizer;
+  elastic::Pruned pruned;
+  if (arguments.prune) {
+    pruned = elastic::prune(*problem, stiffness);
+    std::cerr << fmt::format("pruned: {}\n", elastic::describe(pruned));
+    problem = pruned.problem.get();
+    stiffness = pruned.stiffness;
+    title += ", pruned";
+  }
+  write_fitted(arguments, elastic::system_json(problem->net(), stiffness));
+  return arguments.picture.empty() || write_picture(arguments, *problem, stiffness, entry.label, title);
+}
+
+// The point of a problem that the program knows nothing special of.
+void write_point(const FitArguments& arguments, const Problem& problem, const std::vector<double>& x) {
+  Value table;
+  for (std::size_t i = 0; i < x.size(); ++i) table.set(problem.space().name(i), x[i]);
+  write_fitted(arguments, to_json(table));
 }
 
 }  // namespace
@@ -146,15 +179,11 @@ int fit_command(const FitArguments& arguments, const Registry& registry) {
   const TrialRecord record = run_trial(study, {problem_index, 0, 0}, registry);
   std::cerr << trial_line(record) << '\n';
   if (!record.best) return kExitTrialFailed;
-  const std::string fitted = fitted_json(*entry.problem, record.best->x);
-  if (arguments.out.empty()) {
-    std::cout << fitted << '\n';
-  } else {
-    write_output(arguments.out, fitted + "\n");
-    std::cerr << fmt::format("written: {}\n", arguments.out);
-  }
-  const bool drawn =
-      arguments.picture.empty() || write_picture(arguments, entry, choice.optimizer.label, record.best->x);
+  bool drawn = true;
+  if (as_elastic(entry))
+    drawn = write_system(arguments, entry, choice.optimizer.label, record.best->x);
+  else
+    write_point(arguments, *entry.problem, record.best->x);
   return record.end == End::failed || !drawn ? kExitTrialFailed : 0;
 }
 

@@ -22,13 +22,13 @@ std::vector<std::size_t> fixed_freedoms(const SupportGroup& group) {
 }
 
 // Whether supports hold a rigid body: no combination of two translations and a rotation leaves them all at rest.
-bool hold_a_rigid_body(const Net& net, const SupportGroup& group) {
-  const Box box = bounding_box(net.nodes);
+bool hold_a_rigid_body(const std::vector<Point>& nodes, const SupportGroup& group) {
+  const Box box = bounding_box(nodes);
   Eigen::MatrixXd motions(static_cast<Eigen::Index>(group.supports.size()), 3);
   for (std::size_t s = 0; s < group.supports.size(); ++s) {
     const Support& support = group.supports[s];
-    const double x = (net.nodes[support.node][0] - box.low[0]) / box.size();
-    const double y = (net.nodes[support.node][1] - box.low[1]) / box.size();
+    const double x = (nodes[support.node][0] - box.low[0]) / box.size();
+    const double y = (nodes[support.node][1] - box.low[1]) / box.size();
     const bool along_x = support.axis == 0;
     motions.row(static_cast<Eigen::Index>(s)) << (along_x ? 1.0 : 0.0), (along_x ? 0.0 : 1.0), (along_x ? -y : x);
   }
@@ -56,11 +56,18 @@ std::vector<std::string> loads_of(const LoadSet& loads, std::size_t group) {
 
 }  // namespace
 
+bool is_rigid(const std::vector<Point>& nodes, const std::vector<Spring>& springs, const LoadSet& loads) {
+  const bool rigid = free_rigidity(nodes, springs).is_rigid();
+  return std::ranges::all_of(loads.groups, [&](const SupportGroup& group) {
+    return (rigid && hold_a_rigid_body(nodes, group)) || rigidity(nodes, springs, fixed_freedoms(group)).is_rigid();
+  });
+}
+
 void require_rigid(const Net& net, const LoadSet& loads, const Source& source) {
   const bool known = net.grid.columns > 0;
   const bool rigid = known || free_rigidity(net.nodes, net.springs).is_rigid();
   for (std::size_t g = 0; g < loads.groups.size(); ++g) {
-    if (rigid && hold_a_rigid_body(net, loads.groups[g])) continue;
+    if (rigid && hold_a_rigid_body(net.nodes, loads.groups[g])) continue;
     const Rigidity found = rigidity(net.nodes, net.springs, fixed_freedoms(loads.groups[g]));
     if (found.is_rigid()) continue;
     throw MechanismError(

@@ -14,4 +14,7 @@ namespace nodal::elastic {
 /// Cost     one sparse QR of the net; another per group of supports only where the free net is no rigid body.
 void require_rigid(const Net& net, const LoadSet& loads, const Source& source);
 
+/// The same question without a message. Same cost.
+[[nodiscard]] bool is_rigid(const std::vector<Point>& nodes, const std::vector<Spring>& springs, const LoadSet& loads);
+
 }  // namespace nodal::elastic
