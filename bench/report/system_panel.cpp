@@ -39,12 +39,13 @@ std::string cell_lines(const Plate& plate, const PlateFrame& frame) {
   return "<path class=\"cell\" d=\"" + path + "\"/>";
 }
 
-// Area is proportional to mass; the heaviest node's dot reaches a third of the way to its neighbours.
+// Area is proportional to mass; the heaviest node's dot reaches a fifth of the way to its neighbours, so that
+// springs stay visible between.
 class MassScale {
  public:
   MassScale(const Plate& plate, const PlateFrame& frame) {
     for (const double mass : plate.masses) heaviest_ = std::max(heaviest_, mass);
-    largest_ = frame.spacing > 0.0 ? std::clamp(0.28 * frame.spacing, 0.6, 8.0) : 8.0;
+    largest_ = frame.spacing > 0.0 ? std::clamp(0.18 * frame.spacing, 0.6, 8.0) : 8.0;
   }
   [[nodiscard]] double heaviest() const noexcept { return heaviest_; }
   [[nodiscard]] double radius(double mass) const { return largest_ * std::sqrt(mass / heaviest_); }
