@@ -70,7 +70,8 @@ void list_problems(const Registry& registry) {
 
 void list_topologies() {
   for (const elastic::Topology& topology : elastic::topologies())
-    std::cout << fmt::format("{}: {}{}\n", topology.name, topology.summary,
+    std::cout << fmt::format("{}: {}{}\n", topology.name,
+                             topology.lacks.empty() ? topology.summary : "not here: it needs " + topology.lacks,
                              topology.mechanism ? " (a mechanism: refused)" : "");
 }
 

@@ -9,6 +9,8 @@
 
 #include <fmt/format.h>
 
+#include "triangulation/triangulation.h"
+
 namespace nodal::elastic {
 
 namespace {
@@ -36,16 +38,18 @@ std::pair<Point, Point> rectangle_of(const Body& body) {
 }  // namespace
 
 const std::vector<Topology>& topologies() {
+  const std::string lacks = triangulation_available() ? "" : triangulation_library();
   static const std::vector<Topology> all = {
       {"single", "one diagonal in each cell, all from lower left to upper right", false},
       {"alternating", "one diagonal in each cell, in a chequered pattern", false},
       {"crossed", "both diagonals in each cell", false},
       {"grid", "no diagonals: a mechanism, since its cells shear without resistance", true},
       {"triangular", "the three directions of a triangular grid", false},
-      {"delaunay", "the sides of the Delaunay triangles in the body (any points; needs CGAL)", false},
-      {"delaunay-flip", "and across every inner side, between the opposite corners: about 6 springs per node", false},
-      {"voronoi-neighbours", "nodes whose Voronoi regions touch inside the body (needs CGAL)", false},
-      {"nearest", "each node with its nearest ones, except across the outline (any points)", false},
+      {"delaunay", "the sides of the Delaunay triangles in the body", false, lacks},
+      {"delaunay-flip", "and across every inner side, between the opposite corners: about 6 springs per node", false,
+       lacks},
+      {"voronoi-neighbours", "nodes whose Voronoi regions touch inside the body", false, lacks},
+      {"nearest", "each node with its nearest ones, except across the outline", false},
   };
   return all;
 }

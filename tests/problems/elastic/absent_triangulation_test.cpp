@@ -2,7 +2,10 @@
 #include <gtest/gtest.h>
 
 #include <nodal/error.h>
+#include <nodal/study.h>
 
+#include "../../lib/messages.h"
+#include "../../support/components.h"
 #include "bodies.h"
 #include "points/grid_points.h"
 #include "points/iterated_voronoi.h"
@@ -30,6 +33,24 @@ TEST(AbsentTriangulation, SaysWhatToInstall) {
                 std::string::npos);
     }
   }
+}
+
+// A study that asks for what needs CGAL is refused with its line, before anything is computed.
+TEST(AbsentTriangulation, IsSaidOfAStudyWithItsPlace) {
+  const auto refusal = [](const std::string& problem) {
+    return toy::message_of([&] {
+      (void)parse_study("[study]\nname = \"s\"\n[problem]\nkind = \"elastic\"\n" + problem, "s.toml", components());
+    });
+  };
+  const std::string lacks = "CGAL, which this build lacks: install libcgal-dev and configure with -DNODAL_CGAL=ON";
+  EXPECT_EQ(refusal("springs = { topology = \"delaunay\" }\n"), "s.toml:5: topology 'delaunay' needs " + lacks);
+  EXPECT_EQ(refusal("points = { layout = \"voronoi\", total = 20 }\nsprings = { topology = \"nearest\" }\n"),
+            "s.toml:5: layout 'voronoi' needs " + lacks);
+  EXPECT_EQ(refusal("masses = { form = \"positive\" }\n"), "s.toml:5: positive masses need " + lacks);
+  EXPECT_EQ(refusal("points = { layout = \"random\", total = 20 }\nsprings = {}\n"),
+            "s.toml:6: topology 'delaunay', which suits these points, needs " + lacks + "; 'nearest' doesn't");
+  EXPECT_EQ(refusal("points = { layout = \"random\", total = 20 }\nsprings = { topology = \"nearest\" }\n"),
+            "(nothing was thrown)");
 }
 
 }  // namespace

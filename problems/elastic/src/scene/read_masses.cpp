@@ -7,6 +7,7 @@
 
 #include "masses/masses.h"
 #include "points/voronoi_cells.h"
+#include "triangulation/triangulation.h"
 
 namespace nodal::elastic {
 
@@ -67,6 +68,8 @@ Value read_masses(const Options& masses, Net& net) {
   const Source& source = masses.at("form").source;
   if (!net.body.has_outline())
     throw InputError(source, "masses need a body with an outline, and this one has none: describe the 'body'");
+  if (form == "positive" && !triangulation_available())
+    throw InputError(source, fmt::format("positive masses need {}", triangulation_library()));
   try {
     const double density = masses.number("density");
     const MassTarget target = mass_target(net.body, density);

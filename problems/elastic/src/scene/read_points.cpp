@@ -166,6 +166,8 @@ RandomPointsOptions read_numbers(const Options& points, const Outline& outline) 
 }
 
 StudyPoints read_scattered(const Options& points, const Body& body, const Outline& outline) {
+  if (layout_of(points) == "voronoi" && !triangulation_available())
+    throw InputError(points.at("layout").source, fmt::format("layout 'voronoi' needs {}", triangulation_library()));
   RandomPointsOptions options = read_numbers(points, outline);
   const bool at_random = points.has("border_spread") && points.text("border_spread") == "at-random";
   options.spread = at_random ? BorderSpread::at_random : BorderSpread::evenly;
@@ -229,7 +231,14 @@ bool is_grid_topology(const std::string& topology) {
 std::string read_topology(const Options& problem) {
   const Options springs = problem.table("springs");
   const std::string layout = layout_of(problem.table("points"));
-  if (!springs.has("topology")) return layout == "grid" ? "crossed" : layout == "triangular" ? layout : "delaunay";
+  if (!springs.has("topology")) {
+    if (layout == "grid") return "crossed";
+    if (layout == "triangular") return layout;
+    if (triangulation_available()) return "delaunay";
+    throw InputError(springs.values().source,
+                     fmt::format("topology 'delaunay', which suits these points, needs {}; 'nearest' doesn't",
+                                 triangulation_library()));
+  }
   const std::string& topology = springs.text("topology");
   const Source& source = springs.at("topology").source;
   const auto known = std::ranges::find(topologies(), topology, &Topology::name);
@@ -242,6 +251,7 @@ std::string read_topology(const Options& problem) {
     throw InputError(source, fmt::format("topology '{}' is a mechanism: without diagonals its cells shear without "
                                          "resistance; take 'single', 'alternating' or 'crossed'",
                                          topology));
+  if (!known->lacks.empty()) throw InputError(source, fmt::format("topology '{}' needs {}", topology, known->lacks));
   const bool fits =
       !is_grid_topology(topology) || (topology == "triangular" ? layout == "triangular" : layout == "grid");
   if (!fits)

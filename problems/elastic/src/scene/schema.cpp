@@ -8,6 +8,7 @@
 #include "scene/read_masses.h"
 #include "scene/read_parameters.h"
 #include "scene/read_points.h"
+#include "triangulation/triangulation.h"
 
 namespace nodal {
 
@@ -117,6 +118,7 @@ OptionSchema elastic_schema() {
 void register_elastic(Registry& registry) {
   add_library_version("BLAS", elastic::blas_library());
   add_library_version("CHOLMOD", elastic::cholmod_version());
+  if (elastic::triangulation_available()) add_library_version("CGAL", elastic::triangulation_library());
   registry.add(ProblemDescription{
       .kind = "elastic",
       .summary = "spring stiffnesses with which a net deforms like an elastic plate",

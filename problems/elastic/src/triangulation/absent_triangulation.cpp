@@ -9,13 +9,16 @@ namespace nodal::elastic {
 namespace {
 
 [[noreturn]] void refuse(const char* what) {
-  throw InputError(std::string(what) +
-                   " needs CGAL, which this build lacks: install libcgal-dev and configure with -DNODAL_CGAL=ON");
+  throw InputError(std::string(what) + " needs " + triangulation_library());
 }
 
 }  // namespace
 
 bool triangulation_available() noexcept { return false; }
+
+std::string triangulation_library() {
+  return "CGAL, which this build lacks: install libcgal-dev and configure with -DNODAL_CGAL=ON";
+}
 
 Neighbours delaunay_neighbours(const std::vector<Point>&) { refuse("a Voronoi diagram"); }
 

@@ -12,6 +12,7 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Triangulation_face_base_with_info_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
+#include <CGAL/version.h>
 #include <fmt/format.h>
 
 #include "triangulation/triangulation.h"
@@ -154,6 +155,8 @@ void count_depth(Constrained& made) {
 }  // namespace
 
 bool triangulation_available() noexcept { return true; }
+
+std::string triangulation_library() { return CGAL_VERSION_STR; }
 
 Neighbours delaunay_neighbours(const std::vector<Point>& points) {
   const auto made = triangulate<Delaunay>(points);

@@ -12,6 +12,7 @@
 #include <array>
 #include <cstddef>
 #include <span>
+#include <string>
 #include <vector>
 
 #include <nodal/elastic/net.h>
@@ -21,6 +22,8 @@ namespace nodal::elastic {
 
 /// Whether this build can triangulate.
 [[nodiscard]] bool triangulation_available() noexcept;
+/// The library's version, "5.5.1"; in a build without it what that lacks and how to get it.
+[[nodiscard]] std::string triangulation_library();
 
 /// Per node its neighbours, ascending.
 class Neighbours {

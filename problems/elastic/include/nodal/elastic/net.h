@@ -84,6 +84,7 @@ struct Topology {
   std::string name;
   std::string summary;
   bool mechanism = false;
+  std::string lacks = {};  ///< what this build lacks for it and how to get it; empty when it is there
 };
 [[nodiscard]] const std::vector<Topology>& topologies();
 
