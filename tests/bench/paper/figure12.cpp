@@ -49,8 +49,9 @@ Study make_study(int seed, const Figure12& figure) {
   std::string text = scene_text();
   const std::size_t problems = iteration_counts().size();
   replace(text, " seed = 1,", " seed = " + std::to_string(seed) + ",", problems);
-  replace(text, "springs = { topology = \"delaunay\"",
-          "material = { poisson = " + figure.poisson + " }\nsprings = { topology = \"" + figure.topology + "\"",
+  replace(text, "springs = { topology = \"delaunay\", initial = \"area\" }",
+          "material = { poisson = " + figure.poisson + " }\nsprings = { topology = \"" + figure.topology +
+              "\", initial = " + figure.initial + " }",
           problems);
   replace(text, "evaluations = 50000", "evaluations = " + std::to_string(figure.evaluations), 1);
   return parse_study(text, kScene, components());

@@ -21,7 +21,8 @@ enum class Fit { annealing, levenberg_marquardt };  ///< the scene's optimizers,
 struct Figure12 {
   std::string topology = "delaunay";
   std::string poisson = "0.3";
-  int evaluations = 50000;  ///< per trial
+  std::string initial = "\"area\"";  ///< rule of the start, as TOML
+  int evaluations = 50000;           ///< per trial
 };
 
 /// The scene's study for one set of points; its problems are 0, 1, 5, 15 and 50 iterations.

@@ -51,8 +51,10 @@ TEST(Figure12, TheStartGainsMoreThanTheFit) {
 // A Delaunay net has about three springs per point and can't be even in all directions at each; with the springs across
 // each of its edges it has six. Fifty evaluations are enough to tell; the floors are in docs/reproduction.md.
 TEST(Figure12, SpringsAcrossEdgesLowerTheFloorFivefoldAtOneThird) {
-  const double delaunay = median_best_error(fits(50, Fit::levenberg_marquardt, {"delaunay", kOneThird, 50}));
-  const double flipped = median_best_error(fits(50, Fit::levenberg_marquardt, {"delaunay-flip", kOneThird, 50}));
+  const double delaunay = median_best_error(
+      fits(50, Fit::levenberg_marquardt, {.topology = "delaunay", .poisson = kOneThird, .evaluations = 50}));
+  const double flipped = median_best_error(
+      fits(50, Fit::levenberg_marquardt, {.topology = "delaunay-flip", .poisson = kOneThird, .evaluations = 50}));
   EXPECT_GT(delaunay, 5.0 * flipped) << delaunay << " → " << flipped;
 }
 

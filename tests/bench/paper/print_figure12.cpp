@@ -15,29 +15,42 @@ void print_row(const char* name, const std::vector<double>& values) {
   fmt::print("\n");
 }
 
-void print_iterations() {
+// Over the iterations, from one rule of the start.
+struct Rows {
   std::vector<double> start, annealed, fitted;
+};
+
+Rows rows_from(const char* initial) {
+  Rows rows;
   for (const int iterations : iteration_counts()) {
-    const std::vector<TrialRecord> annealing = fits(iterations, Fit::annealing);
-    start.push_back(median_start_error(annealing));
-    annealed.push_back(median_best_error(annealing));
-    fitted.push_back(median_best_error(fits(iterations, Fit::levenberg_marquardt)));
+    const std::vector<TrialRecord> annealing = fits(iterations, Fit::annealing, {.initial = initial});
+    rows.start.push_back(median_start_error(annealing));
+    rows.annealed.push_back(median_best_error(annealing));
+    rows.fitted.push_back(median_best_error(fits(iterations, Fit::levenberg_marquardt, {.initial = initial})));
   }
+  return rows;
+}
+
+void print_iterations() {
   fmt::print("Relative error, median of {} sets of points; in brackets over that without iterations\n\n| iterations |",
              kSeeds);
   for (const int iterations : iteration_counts()) fmt::print(" {} |", iterations);
   fmt::print("\n|---|---|---|---|---|---|\n");
-  print_row("start", start);
-  print_row("annealing, 100 temperatures", annealed);
-  print_row("Levenberg-Marquardt", fitted);
+  for (const char* initial : {"\"area\"", "\"paper\"", "{ rule = \"paper\", scale = \"best\" }"}) {
+    const Rows rows = rows_from(initial);
+    fmt::print("| initial = {} | | | | | |\n", initial);
+    print_row("start", rows.start);
+    print_row("annealing, 100 temperatures", rows.annealed);
+    print_row("Levenberg-Marquardt", rows.fitted);
+  }
 }
 
 void print_topologies() {
   fmt::print("\nLevenberg-Marquardt after 50 iterations\n\n| topology | ν = 0.3 | ν = 1/3 |\n|---|---|---|\n");
   for (const char* topology : {"delaunay", "delaunay-flip"})
     fmt::print("| `{}` | {:.3g} | {:.3g} |\n", topology,
-               median_best_error(fits(50, Fit::levenberg_marquardt, {topology, "0.3"})),
-               median_best_error(fits(50, Fit::levenberg_marquardt, {topology, kOneThird})));
+               median_best_error(fits(50, Fit::levenberg_marquardt, {.topology = topology})),
+               median_best_error(fits(50, Fit::levenberg_marquardt, {.topology = topology, .poisson = kOneThird})));
 }
 
 }  // namespace
