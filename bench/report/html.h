@@ -23,10 +23,17 @@ namespace nodal::report {
 /// Before and after, load by load, on one scale of deformation and of colour. Empty without plates.
 [[nodiscard]] std::string plates_html(const std::vector<const Plate*>& plates);
 
-/// Files that the build has put into the program. Pictures need picture_css wherever they stand.
+/// How even the points became, with a chart that voronoi.js draws, and how well the masses move like the body. Empty
+/// where the problem says neither.
+[[nodiscard]] std::string details_html(const SystemDetails& details);
+
+/// Files that the build has put into the program. Pictures need picture_css wherever they stand; charts_js comes before
+/// the other two scripts.
 [[nodiscard]] std::string_view picture_css();
 [[nodiscard]] std::string_view report_css();
+[[nodiscard]] std::string_view charts_js();
 [[nodiscard]] std::string_view report_js();
+[[nodiscard]] std::string_view voronoi_js();
 [[nodiscard]] std::string_view vega_js();
 
 }  // namespace nodal::report

@@ -44,7 +44,7 @@ std::string problem_html(const ReportData& data, std::size_t index) {
     if (plate.problem == problem.table.reference.label) plates.push_back(&plate);
   return "<section class=\"problem\">\n<h2>" + escape_html(problem.table.reference.label) + "</h2>\n" +
          paragraph(describe_reference(problem) + ".") + chart_html(problem, index) + table_html(problem) +
-         plates_html(plates) + "</section>\n";
+         plates_html(plates) + details_html(problem.details) + "</section>\n";
 }
 
 std::string how_to_read() {
@@ -105,7 +105,8 @@ std::string provenance_html(const ReportData& data) {
 }
 
 bool has_charts(const ReportData& data) {
-  return std::ranges::any_of(data.problems, [](const ProblemReport& p) { return !p.curves.empty(); });
+  return std::ranges::any_of(
+      data.problems, [](const ProblemReport& p) { return !p.curves.empty() || p.details.iterations.size() > 1; });
 }
 
 }  // namespace
@@ -125,7 +126,9 @@ std::string report_html(const ReportData& data) {
     page += "<script>\n";
     page += vega_js();
     page += "</script>\n<script>\n";
+    page += charts_js();
     page += report_js();
+    page += voronoi_js();
     page += "</script>\n";
   }
   return page + "</body>\n</html>\n";

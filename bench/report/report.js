@@ -3,8 +3,8 @@
 "use strict";
 
 (() => {
-  // Okabe and Ito's colours without yellow, told apart by those who don't see red and green; then the same, dashed.
-  const COLOURS = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#e69f00", "#7a6a00"];
+  const { COLOURS, digits, shown } = charts;
+  // For more lines than colours: the same colours, dashed.
   const DASHES = [[], [7, 3], [2, 2], [9, 3, 2, 3]];
   const SMALLEST_GAP = 1e-9;  // below, a gap is rounding
 
@@ -13,9 +13,6 @@
     evaluations: "evaluations",
     work: "work [equivalent full values]",
   };
-
-  const digits = new Intl.NumberFormat("en", { maximumSignificantDigits: 4, useGrouping: true });
-  const shown = (x) => (x !== 0 && (Math.abs(x) < 1e-4 || Math.abs(x) >= 1e7) ? x.toExponential(2) : digits.format(x));
 
   const timeText = (s) => {
     for (const [size, unit] of [[1e-9, "ns"], [1e-6, "µs"], [1e-3, "ms"]])
@@ -104,10 +101,7 @@
   function axis(orient, scale, title, values) {
     const horizontal = orient === "bottom";
     return {
-      orient, scale, title, grid: true, gridColor: "#e6e9ed", domainColor: "#9aa2ac", tickColor: "#9aa2ac",
-      values: { signal: values },
-      labelColor: "#444b54", titleColor: "#444b54", titleFontWeight: 400, labelFontSize: 11, titleFontSize: 12,
-      labelFont: "sans-serif", titleFont: "sans-serif", labelOverlap: true, labelFlush: horizontal,
+      ...charts.AXIS, orient, scale, title, values: { signal: values }, labelFlush: horizontal,
       encode: { labels: { update: {
         text: { signal: horizontal ? "xText(datum.value, xUnit)" : "tickText(datum.value)" } } } },
     };
@@ -145,19 +139,7 @@
         fill: { field: "colour" }, fillOpacity: { value: 0 }, tooltip: { signal: "datum" },
       } },
     };
-    return [curves(band), curves(median), ...rule(), targets];
-  }
-
-  // The horizontal line at the best known.
-  function rule() {
-    return [
-      { type: "rule", from: { data: "best" }, interactive: false, encode: { update: {
-        x: { value: 0 }, x2: { signal: "width" }, y: { scale: "y", field: "y" },
-        stroke: { value: "#555" }, strokeDash: { value: [2, 3] } } } },
-      { type: "text", from: { data: "best" }, interactive: false, encode: { update: {
-        x: { value: 0 }, dx: { value: 5 }, y: { scale: "y", field: "y" }, dy: { value: 4 }, baseline: { value: "top" },
-        text: { field: "text" }, fill: { value: "#444" }, fontSize: { value: 11 }, font: { value: "sans-serif" } } } },
-    ];
+    return [curves(band), curves(median), ...charts.rule("best"), targets];
   }
 
   function specification(width, narrow) {
@@ -183,26 +165,11 @@
     };
   }
 
-  function tooltip(box, state) {
-    const tip = document.createElement("div");
-    tip.className = "tip";
-    tip.hidden = true;
-    box.append(tip);
-    return (_handler, event, _item, value) => {
-      tip.hidden = !value;
-      if (!value) return;
-      const where = state.axis === "seconds" ? timeText(value.x) : `${shown(value.x)} ${state.axis}`;
-      const name = document.createElement("b");
-      name.textContent = value.label;
-      tip.replaceChildren(name, `after ${where}: ${shown(value.median)}`, document.createElement("br"),
-        `quartiles ${shown(value.lower)} to ${shown(value.upper)}`);
-      const frame = box.getBoundingClientRect();
-      const left = event.clientX - frame.left, top = event.clientY - frame.top;
-      tip.style.left = `${Math.max(0, Math.min(left + 14, frame.width - tip.offsetWidth))}px`;
-      const below = top + 16, above = Math.max(0, top - tip.offsetHeight - 10);
-      tip.style.top = `${below + tip.offsetHeight > frame.height ? above : below}px`;
-    };
-  }
+  const described = (state) => (value) => {
+    const where = state.axis === "seconds" ? timeText(value.x) : `${shown(value.x)} ${state.axis}`;
+    return [value.label, `after ${where}: ${shown(value.median)}`,
+      `quartiles ${shown(value.lower)} to ${shown(value.upper)}`];
+  };
 
   function keyButton(series, look, pressed, toggle) {
     const button = document.createElement("button");
@@ -225,7 +192,7 @@
       this.hidden = new Set();
       this.state = { axis: this.data.axes[0], height: "error" };
       this.connect();
-      this.build();
+      charts.whenever(this.box, (width) => this.build(width));
     }
 
     connect() {
@@ -240,21 +207,14 @@
           if (name === "height" && !this.heights[input.dataset.height]) input.disabled = true;
           input.addEventListener("change", () => { this.state[name] = input.dataset[name]; this.show(); });
         }
-      // Only a new width needs a new chart: its height is ours.
-      new ResizeObserver(() => {
-        if (Math.abs(this.box.clientWidth - this.width) >= 1) this.build();
-      }).observe(this.box);
     }
 
-    build() {
-      this.width = this.box.clientWidth;
+    build(width) {
+      this.width = width;
       if (this.view) this.view.finalize();
-      this.box.replaceChildren();
-      const stage = document.createElement("div");
-      this.box.append(stage);
-      const runtime = vega.parse(specification(this.width, this.width < 500));
-      this.view = new vega.View(runtime, { renderer: "svg", container: stage, hover: false })
-        .tooltip(tooltip(this.box, this.state));
+      const runtime = vega.parse(specification(width, width < 500));
+      this.view = new vega.View(runtime, { renderer: "svg", container: charts.stage(this.box), hover: false })
+        .tooltip(charts.tooltip(this.box, described(this.state)));
       this.show();
     }
 

@@ -35,6 +35,7 @@ struct NamedProblem {
   Value options;
   std::optional<KnownOptimum> best_known;
   std::string store;
+  SystemDetails details;
 };
 
 std::optional<KnownOptimum> known_of(const Value& problem) {
@@ -64,7 +65,7 @@ class Collection {
   void add_unnamed() {
     for (const TrialRecord& record : records) {
       if (std::ranges::find(problems, record.problem, &NamedProblem::label) == problems.end())
-        problems.push_back({record.problem, "", {}, std::nullopt, ""});
+        problems.push_back({record.problem, "", {}, std::nullopt, "", {}});
       if (std::ranges::find(optimizers, record.optimizer, &RowRequest::label) == optimizers.end())
         optimizers.push_back({record.optimizer, record.use, false});
     }
@@ -94,7 +95,8 @@ class Collection {
   }
 
   void add_problem(const Value& problem, const std::string& directory) {
-    NamedProblem named{text_of(problem, "label"), text_of(problem, "kind"), {}, known_of(problem), directory};
+    NamedProblem named{text_of(problem, "label"), text_of(problem, "kind"), {}, known_of(problem), directory,
+                       read_details(problem)};
     if (const Value* options = problem.find("options")) named.options = *options;
     const auto same = std::ranges::find(problems, named.label, &NamedProblem::label);
     if (same == problems.end()) {
@@ -107,6 +109,8 @@ class Collection {
                       "studies another label",
                       same->store, directory, named.label));
     if (!same->best_known) same->best_known = named.best_known;
+    if (same->details.iterations.empty()) same->details.iterations = std::move(named.details.iterations);
+    if (!same->details.masses) same->details.masses = std::move(named.details.masses);
   }
 
   void add_optimizer(const Value& optimizer) {
@@ -180,7 +184,8 @@ ProblemReport make_problem(const NamedProblem& named, const Collection& all) {
                        make_table(named.label, named.best_known, all.optimizers, all.records),
                        error_per_quality(records),
                        {},
-                       best_of(records)};
+                       best_of(records),
+                       named.details};
   // Not run yet: interrupted before its first trial, or left out by --only.
   std::erase_if(report.table.rows, [](const OptimizerRow& row) { return row.trials == 0; });
   for (const RowRequest& optimizer : all.optimizers) {

@@ -17,6 +17,7 @@
 #include <nodal/store.h>
 #include <nodal/study.h>
 
+#include "details.h"
 #include "plate.h"
 
 namespace nodal::report {
@@ -42,6 +43,7 @@ struct ProblemReport {
       error_per_quality;                ///< relative error / quality where that is one constant: curves hold quality
   std::vector<OptimizerCurves> curves;  ///< in the table's order; optimizers without a point are left out
   std::optional<BestOfAll> best;
+  SystemDetails details;  ///< empty where the manifests have none
 };
 
 struct FailedTrial {

@@ -33,19 +33,30 @@ addEventListener("load", async () => {
   document.querySelector(".keys button").click();
   await wait(50);
   const hidden = lines();
-  const hit = document.querySelector(".chart .mark-symbol path");
-  const box = hit.getBoundingClientRect();
-  for (const kind of ["mouseover", "mousemove", "pointerover", "pointermove"])
-    hit.dispatchEvent(new MouseEvent(kind, { bubbles: true, clientX: box.x + box.width / 2,
-                                             clientY: box.y + box.height / 2 }));
-  await wait(50);
-  const tip = document.querySelector(".tip");
+  const point = async (hit) => {
+    const box = hit.getBoundingClientRect();
+    for (const kind of ["mouseover", "mousemove", "pointerover", "pointermove"])
+      hit.dispatchEvent(new MouseEvent(kind, { bubbles: true, clientX: box.x + box.width / 2,
+                                               clientY: box.y + box.height / 2 }));
+    await wait(50);
+  };
+  await point(document.querySelector(".chart .mark-symbol path"));
+  const tip = document.querySelector(".chart .tip");
   const said = !tip.hidden && /quartiles/.test(tip.textContent);
   const thick = document.querySelectorAll(".mark-line path[stroke-width=\"3\"]").length;
   const wide = document.documentElement.scrollWidth > document.documentElement.clientWidth ? "wide" : "fits";
   const plates = document.querySelectorAll(".plates svg").length;
+  const panels = [...document.querySelectorAll(".panel")];
+  const filled = panels.filter((p) => p.querySelectorAll("svg").length === 1).length;
+  const curves = document.querySelectorAll(".panel .mark-line path").length;
+  let told = false;
+  if (filled > 0) {
+    await point(panels[0].querySelector(".hits path"));
+    told = /after 0 iterations: 0[.]5/.test(panels[0].querySelector(".tip").textContent);
+  }
   document.title = `PROBE races ${drawn} of ${races}, page ${wide}, plates ${plates}, ` +
-    `lines ${before} ${chosen} ${hidden}, tip ${said}, thick ${thick}`;
+    `lines ${before} ${chosen} ${hidden}, tip ${said}, thick ${thick}, ` +
+    `panels ${filled} of ${panels.length}, curves ${curves}, told ${told}`;
 });
 </script>'
 { cat "$out/report.html"; printf '%s\n' "$probe"; } > "$out/probed.html"

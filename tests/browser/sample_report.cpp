@@ -68,6 +68,7 @@ int main(int argc, char** argv) {
   }
   ReportData data = fixture::make_data();
   add_optimizers(data.problems[0], 15);
+  data.problems[0].details = fixture::make_details(50);
   data.problems.push_back(make_analytic());
   data.plates = make_plates_of_the_paper();
   data.warnings = {"'results' holds results of another build (revision 0123abc; this is 4567def): times don't compare"};

@@ -38,7 +38,7 @@ class Collect : public ::testing::Test {
 
   // `young` makes problems differ; no keys: everything counts.
   Store store(const std::string& name, const std::vector<TrialRecord>& records, double young = 1.0,
-              const Value::List& keys = {}) const {
+              const Value::List& keys = {}, const Value& details = {}) const {
     const std::filesystem::path path = folder_ / name;
     std::filesystem::create_directories(path / "trials");
     Value problem, optimizer, study, manifest, options;
@@ -46,6 +46,7 @@ class Collect : public ::testing::Test {
     problem.set("label", "plate");
     problem.set("kind", "elastic");
     problem.set("options", options);
+    if (!details.table().empty()) problem.set("details", details);
     optimizer.set("label", records.at(0).optimizer);
     optimizer.set("use", records.at(0).use);
     optimizer.set("baseline", records.at(0).optimizer == "annealing");
@@ -122,6 +123,23 @@ TEST_F(Collect, DrawsQualityWhereErrorIsNotProportionalToIt) {
   std::vector<Store> stores;
   stores.push_back(store("a", {odd}));
   EXPECT_FALSE(collect(stores).problems[0].error_per_quality);
+}
+
+TEST_F(Collect, TakesDetailsFromTheFirstStoreThatHasThem) {
+  const auto details = [](std::int64_t rank) {
+    Value masses, table;
+    masses.set("rank", Value(rank));
+    table.set("masses", masses);
+    return table;
+  };
+  std::vector<Store> stores;
+  stores.push_back(store("a", {record("k1", "annealing", 2.0)}));
+  stores.push_back(store("b", {record("k2", "annealing", 2.0)}, 1.0, {}, details(6)));
+  stores.push_back(store("c", {record("k3", "annealing", 2.0)}, 1.0, {}, details(5)));
+  const ReportData data = collect(stores);
+  ASSERT_EQ(data.problems.size(), 1u);
+  ASSERT_TRUE(data.problems[0].details.masses);
+  EXPECT_EQ(data.problems[0].details.masses->rank, 6);
 }
 
 }  // namespace
