@@ -170,6 +170,66 @@ TEST(Fit, DrawsTheFittedSystem) {
   EXPECT_FALSE(read_file(folder.path() / "start.svg") == fitted);
 }
 
+// Of a plate whose diagonals start at the lower bound, a fit of one evaluation gives the start back. Those go that no
+// support group needs.
+TEST(Fit, PrunesSpringsAtTheLowerBound) {
+  const Folder folder;
+  folder.write("quick.toml", kQuickStudy);
+  Value springs = parse_json(run(folder, {"evaluate", "quick.toml", "--json"}).out, "stdout").at("springs");
+  for (Value& spring : springs.list()) {
+    const Value::List& nodes = spring.at("nodes").list();
+    const std::int64_t step = nodes[1].integer() - nodes[0].integer();
+    spring.set("stiffness", step == 2 || step == 4 ? 1e-4 : 1.0);
+  }
+  Value file;
+  file.set("springs", springs);
+  folder.write("start.json", to_json(file));
+  folder.write("soft.toml", kQuickStudy + "[problem.springs]\ninitial = { file = \"start.json\" }\n");
+  const Output output = run(folder, {"fit", "soft.toml", "--with", "annealing", "--evaluations", "1", "--prune",
+                                     "--export", "pruned.json", "--picture", "pruned.svg"});
+  EXPECT_EQ(output.exit, 0) << output.err;
+  const Value pruned = parse_json(read_file(folder.path() / "pruned.json"), "pruned.json");
+  const std::size_t kept = pruned.at("springs").list().size();
+  EXPECT_TRUE(
+      contains(output.err, "pruned: " + std::to_string(20 - kept) + " of 20 springs at the lower bound left out"))
+      << output.err;
+  EXPECT_EQ(kept, 14u);  // a stretch, which holds 4 of 18 freedoms, leaves 14 to be held by springs
+  EXPECT_EQ(pruned.at("nodes").list().size(), 9u);
+  EXPECT_TRUE(contains(read_file(folder.path() / "pruned.svg"), "fitted by annealing, pruned"));
+}
+
+TEST(Fit, WithoutSpringsPrunesNothing) {
+  const Folder folder;
+  folder.write("sphere.toml", "[budget]\nevaluations = 10\n[problem]\nkind = \"sphere\"\n");
+  const Output output = run(folder, {"fit", "sphere.toml", "--prune"});
+  EXPECT_EQ(output.exit, 2);
+  EXPECT_EQ(output.err, "nodal: --prune: problem 'sphere' has no springs to leave out; it is for elastic problems\n");
+}
+
+// Four nodes on a square without a diagonal, and a fifth that hangs on one spring.
+TEST(Evaluate, DrawsAMechanismThatItRefuses) {
+  const Folder folder;
+  folder.write("nodes.csv", "node,x,y\n1,0,0\n2,1,0\n3,1,1\n4,0,1\n5,2,0\n");
+  folder.write("springs.csv", "first,second\n1,2\n2,3\n3,4\n4,1\n1,3\n2,5\n");
+  folder.write("displacements.csv", "node,ux,uy\n3,1,0\n");
+  folder.write(
+      "loose.toml",
+      "[problem]\nkind = \"elastic\"\npoints = { file = \"nodes.csv\" }\nsprings = { file = \"springs.csv\" }\n"
+      "reference = { file = \"displacements.csv\" }\n[[problem.loads.cases]]\nname = \"pull\"\n"
+      "supports = [{ nodes = [1, 4] }]\nforces = [{ nodes = [3], force = [1, 0] }]\n");
+  for (const char* command : {"evaluate", "fit"}) {
+    const Output output = run(folder, {command, "loose.toml", "--picture", "loose.svg"});
+    EXPECT_EQ(output.exit, 2);
+    EXPECT_TRUE(contains(output.err, "written: loose.svg\n")) << output.err;
+    EXPECT_TRUE(contains(output.err,
+                         "loose.toml:4: the net is a mechanism under the supports of pull: a motion without "
+                         "resistance moves node 5; join them by more springs, or look at it with --picture"))
+        << output.err;
+    EXPECT_TRUE(contains(read_file(folder.path() / "loose.svg"), "loose: a mechanism"));
+    std::filesystem::remove(folder.path() / "loose.svg");
+  }
+}
+
 TEST(Fit, WithoutSpringsHasNoPicture) {
   const Folder folder;
   folder.write("sphere.toml", "[budget]\nevaluations = 10\n[problem]\nkind = \"sphere\"\n");
