@@ -123,7 +123,9 @@ StudyPoints read_clipped_grid(const Options& points, const std::string& topology
   if (is_grid_topology(topology)) {
     const GridPoints grid = make_exact_grid(outline, cell, cells);
     read.net = net_of(body, grid.points.points);
-    for (const auto& [i, j] : join_grid(outline, grid, topology)) read.grid_pairs.emplace_back(i, j);
+    const auto springs = join_grid(outline, grid, topology);
+    for (const auto& [i, j] : springs) read.grid_pairs.emplace_back(i, j);
+    if (triangular) read.net.triangles = grid_triangles(outline, grid, springs);
     form = "clipped to the body";
   } else {
     read.net = net_of(body, make_fitted_grid(outline, cell, cells).points);
@@ -328,7 +330,9 @@ StudyPoints read_points(const Options& problem, const ProblemContext& context, c
     throw InputError(points.values().source,
                      fmt::format("layout '{}' needs a body with an outline; this one has none", layout));
   // Springs of a file join the nodes that a grid has.
-  const std::string topology = problem.table("springs").has("file") ? "crossed" : read_topology(problem);
+  const std::string topology = !problem.table("springs").has("file") ? read_topology(problem)
+                               : layout == "triangular"              ? layout
+                                                                     : "crossed";
   const bool clipped = layout == "triangular" || points.has("spacing") || points.has("cell");
   if (layout == "grid" && !clipped) return read_counted_grid(points, topology, body);
   try {

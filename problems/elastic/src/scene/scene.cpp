@@ -64,14 +64,19 @@ std::vector<double> stiffness_by_rule(const std::string& rule, const Source& sou
     if (rule == "lattice") return lattice_stiffness(scene.net, scene.material);
     return energy_stiffness(scene, scene.stiffness_bounds);
   } catch (const std::invalid_argument& error) {
-    throw InputError(source, std::string(error.what()) + (rule == "lattice" ? "; take 'area' instead" : ""));
+    const char* others = rule == "lattice" ? "'area' or 'energy'" : rule == "area" ? "'energy' or 'paper'" : "'paper'";
+    throw InputError(source, fmt::format("{}; take {} instead", error.what(), others));
   }
 }
 
-void scale_best(Scene& scene) {
-  const double factor = best_scale(scene, scene.initial_stiffness);
-  scene.initial_rule += fmt::format(", scaled by its best single factor {:.6g}", factor);
-  for (double& k : scene.initial_stiffness) k *= factor;
+void scale_best(const Source& source, Scene& scene) {
+  try {
+    const double factor = best_scale(scene, scene.initial_stiffness);
+    scene.initial_rule += fmt::format(", scaled by its best single factor {:.6g}", factor);
+    for (double& k : scene.initial_stiffness) k *= factor;
+  } catch (const std::invalid_argument& error) {
+    throw InputError(source, error.what());
+  }
 }
 
 // What a file of springs says, or a rule that suits every net; the paper's on its own plate.
@@ -84,7 +89,7 @@ void read_default_start(const Options& springs, const std::vector<double>& of_fi
   }
   scene.initial_rule = "paper";
   scene.initial_stiffness = paper_stiffness(scene.net, scene.material);
-  if (springs.has("file")) scale_best(scene);
+  if (springs.has("file")) scale_best(springs.at("file").source, scene);
 }
 
 void read_start(const Options& springs, const ProblemContext& context, const std::vector<double>& of_file,
@@ -108,7 +113,7 @@ void read_start(const Options& springs, const ProblemContext& context, const std
   }
   scene.initial_rule = table.text("rule");
   scene.initial_stiffness = stiffness_by_rule(table.text("rule"), initial.source, scene);
-  if (table.has("scale")) scale_best(scene);
+  if (table.has("scale")) scale_best(table.at("scale").source, scene);
 }
 
 MovesOptions read_moves(const Options& options, const Scene& scene) {
