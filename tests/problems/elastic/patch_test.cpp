@@ -9,7 +9,7 @@
 
 #include <nodal/elastic/stiffness.h>
 
-#include "../../lib/messages.h"
+#include "../../support/messages.h"
 #include "plate.h"
 
 namespace nodal::elastic {

@@ -149,6 +149,26 @@ Density read_density(const Options& points) {
 
 std::size_t count_of(const Options& points, const char* key) { return static_cast<std::size_t>(points.integer(key)); }
 
+// The border of the least total of which that many are inner ones: as dense on the outline as inside. The more points,
+// the more are inner ones, so the total is bisected for: a needle takes thousands of points around few.
+std::size_t border_as_dense(const Outline& outline, std::size_t inner) {
+  std::size_t low = inner + least_border_points(outline);
+  std::size_t high = std::max(low, static_cast<std::size_t>(kMostNodes));
+  if (share_points(outline, high).inner < inner)
+    throw std::invalid_argument(fmt::format(
+        "{} inner nodes, and as dense on an outline as long as this one, are more than {} nodes; say how many with "
+        "'border'",
+        inner, kMostNodes));
+  while (low < high) {
+    const std::size_t middle = low + (high - low) / 2;
+    if (share_points(outline, middle).inner < inner)
+      low = middle + 1;
+    else
+      high = middle;
+  }
+  return low - inner;
+}
+
 RandomPointsOptions read_numbers(const Options& points, const Outline& outline) {
   refuse_both(points, "total", "inner");
   if (points.has("total")) {
@@ -161,10 +181,7 @@ RandomPointsOptions read_numbers(const Options& points, const Outline& outline) 
                                                          layout_of(points)));
   const std::size_t inner = count_of(points, "inner");
   if (points.has("border")) return {.inner = inner, .border = count_of(points, "border")};
-  // As dense on the outline as inside: the total of which the inner ones are what is left.
-  std::size_t total = inner + least_border_points(outline);
-  while (share_points(outline, total).inner < inner) ++total;
-  return {.inner = inner, .border = total - inner};
+  return {.inner = inner, .border = border_as_dense(outline, inner)};
 }
 
 StudyPoints read_scattered(const Options& points, const Body& body, const Outline& outline) {

@@ -133,6 +133,27 @@ MovesOptions read_moves(const Options& options, const Scene& scene) {
   return moves;
 }
 
+// Where nothing that counts moves, every stiffness is as good as another.
+void require_something_to_fit(const Scene& scene, const Source& weights, const Source& loads) {
+  bool moves = false;
+  for (const LoadCase& load : scene.loads.loads) {
+    const SupportGroup& group = scene.loads.groups[load.group];
+    for (std::size_t f = 0; f < load.reference.size(); ++f) {
+      if (load.reference[f] == 0.0) continue;
+      moves = true;
+      const auto held = [f](const Support& s) { return 2 * s.node + s.axis == f; };
+      if (scene.weight_of(f / 2) * group.weight(f) > 0.0 && std::ranges::none_of(group.supports, held)) return;
+    }
+  }
+  if (moves)
+    throw InputError(weights,
+                     "no node that moves has a weight: nothing would be fitted; give those a weight that the "
+                     "net has, inner, border or corner nodes");
+  throw InputError(loads,
+                   "the reference displacement is zero everywhere: there is nothing to fit; give the loads a "
+                   "stress");
+}
+
 // The contents of the files that a scene is read from; that of a start counts by the start's values.
 std::string hash_files(const Options& options, const ProblemContext& context) {
   std::string contents;
@@ -160,6 +181,8 @@ Scene make_scene(const Options& options, const ProblemContext& context) {
   scene.weights = {weights.number("inner"), weights.number("border"), weights.number("corner")};
   if (scene.weights.inner + scene.weights.border + scene.weights.corner <= 0.0)
     throw InputError(options.table("quality").at("weights").source, "all weights are 0: nothing would be fitted");
+  require_something_to_fit(scene, options.table("quality").at("weights").source,
+                           options.table("loads").values().source);
   scene.solver = options.table("equilibrium").text("method");
 
   const Options springs = options.table("springs");
