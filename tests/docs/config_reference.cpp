@@ -115,8 +115,10 @@ constexpr std::string_view kElasticRules = R"(Rules between these keys:
   points. `springs.file` takes the place of a topology.
 - A net in which nodes can move without resistance is refused with the nodes that move, and drawn by `--picture`.
 - `springs.bounds`: 0 < lower < upper. They are multiplied by `material.young` and `body.thickness`: N/m.
-- `springs.initial`: as a table it has either `rule` or `file`. `lattice` needs `topology = "crossed"` and square cells.
-  What a rule puts outside the bounds is moved just inside (`nodal explain` says so); a file is refused instead.
+- `springs.initial`: as a table it has either `rule` or `file`. `lattice` needs a crossed grid of square
+  cells, or equilateral triangles, that fill the body to its outline, as a triangular grid fills a regular hexagon with
+  `turn = 0` whose radius is a multiple of its spacing. What a rule puts outside the bounds is moved just inside (`nodal
+  explain` says so); a file is refused instead.
 - `springs.parameters = "symmetric"` is refused where no rotation or reflection carries the net into itself; `"groups"`
   needs a file of springs with a column `group`; as a table it has either `rule` or `lists`.
 - `masses` other than `none` need an outline; `positive` is refused where such masses are proved impossible.

@@ -12,9 +12,9 @@
 #include <report/table.h>
 
 #include "../bench/report/fixture.h"
-#include "../lib/temporary_directory.h"
 #include "../lib/toy_record.h"
 #include "../support/components.h"
+#include "../support/temporary_directory.h"
 #include "pages.h"
 
 namespace nodal::docs {

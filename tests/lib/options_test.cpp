@@ -7,7 +7,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "messages.h"
+#include "../support/messages.h"
 
 namespace nodal {
 namespace {

@@ -9,7 +9,7 @@
 
 #include <nodal/random.h>
 
-#include "messages.h"
+#include "../support/messages.h"
 #include "toy_record.h"
 
 namespace nodal {

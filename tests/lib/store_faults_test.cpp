@@ -10,8 +10,8 @@
 
 #include <limits>
 
-#include "messages.h"
-#include "temporary_directory.h"
+#include "../support/messages.h"
+#include "../support/temporary_directory.h"
 #include "toy_store.h"
 
 namespace nodal {

@@ -11,8 +11,8 @@
 #include <nodal/provenance.h>
 #include <nodal/trial.h>
 
-#include "messages.h"
-#include "temporary_directory.h"
+#include "../support/messages.h"
+#include "../support/temporary_directory.h"
 #include "toy_store.h"
 
 namespace nodal {

@@ -6,8 +6,8 @@
 #include <filesystem>
 #include <fstream>
 
-#include "messages.h"
-#include "temporary_directory.h"
+#include "../support/messages.h"
+#include "../support/temporary_directory.h"
 #include "toy_study.h"
 
 namespace nodal {

@@ -62,8 +62,10 @@ class UnauditedProblem final : public Problem {
 
 Registry toy_registry() {
   Registry registry;
-  registry.add(OptimizerDescription{.name = "halving", .deterministic = true, .make = [](const Options&) { return std::make_unique<Halving>(); }});
-  registry.add(OptimizerDescription{.name = "throwing", .make = [](const Options&) { return std::make_unique<Throwing>(); }});
+  registry.add(OptimizerDescription{
+      .name = "halving", .deterministic = true, .make = [](const Options&) { return std::make_unique<Halving>(); }});
+  registry.add(
+      OptimizerDescription{.name = "throwing", .make = [](const Options&) { return std::make_unique<Throwing>(); }});
   return registry;
 }
 
@@ -165,8 +167,8 @@ TEST(Trial, KeepsWhatWasSeenBeforeAnException) {
 
 TEST(Trial, OfAProblemThatThrowsAtItsStartIsARowWithTheReason) {
   Study study = toy_study();
-  study.problems[0].problem =
-      std::make_shared<toy::ToyProblem>(3, [](std::span<const double>) -> double { throw std::runtime_error("no plate"); });
+  study.problems[0].problem = std::make_shared<toy::ToyProblem>(
+      3, [](std::span<const double>) -> double { throw std::runtime_error("no plate"); });
   const TrialRecord record = run_trial(study, {0, 0, 0}, toy_registry());
   EXPECT_EQ(record.end, End::failed);
   EXPECT_EQ(record.reason, "no plate");
@@ -184,7 +186,8 @@ TEST(Trial, FailsWhenNothingVouchesForItsBest) {
 }
 
 TEST(Trial, IsAPureFunctionButForSeconds) {
-  TrialRecord a = run_trial(toy_study(), {0, 0, 3}, toy_registry()), b = run_trial(toy_study(), {0, 0, 3}, toy_registry());
+  TrialRecord a = run_trial(toy_study(), {0, 0, 3}, toy_registry()),
+              b = run_trial(toy_study(), {0, 0, 3}, toy_registry());
   a.seconds = b.seconds = {};
   for (TracePoint& p : a.trace) p.seconds = 0.0;
   for (TracePoint& p : b.trace) p.seconds = 0.0;

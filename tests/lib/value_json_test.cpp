@@ -10,7 +10,7 @@
 
 #include <nodal/random.h>
 
-#include "messages.h"
+#include "../support/messages.h"
 
 namespace nodal {
 namespace {

@@ -99,7 +99,8 @@ class ProjectedNewton {
     constexpr double kTolerance = 1e-12;
     double energy = energy_.evaluate(k_, gradient_, curvature_);
     if (!std::isfinite(energy))
-      throw InputError("the energy start needs a net that carries its loads; this one is a mechanism");
+      throw std::invalid_argument(
+          "the 'energy' rule needs a net that carries its loads; this one is a mechanism or next to one");
     double first_slope = 0.0;
     for (int iteration = 0; iteration < kIterations; ++iteration) {
       const double slope = choose_free();
@@ -194,7 +195,8 @@ double best_scale(const Scene& scene, const std::vector<double>& stiffness) {
   for (const auto& group : model.groups) {
     Equilibrium equilibrium(*group);
     if (equilibrium.factorize(stiffness) != Status::ok || equilibrium.solve_loads() != Status::ok)
-      throw InputError("scale = \"best\" needs a net that carries its loads; this one is a mechanism");
+      throw std::invalid_argument(
+          "scale = \"best\" needs a net that carries its loads; this one is a mechanism or next to one");
     (void)equilibrium.refine();
     for (std::size_t l = 0; l < group->loads().size(); ++l) {
       const double* u = equilibrium.displacement(l).data();
@@ -205,7 +207,7 @@ double best_scale(const Scene& scene, const std::vector<double>& stiffness) {
     }
   }
   if (!(with_reference > 0.0))
-    throw InputError("scale = \"best\" finds no positive factor: the net moves against its reference");
+    throw std::invalid_argument("scale = \"best\" finds no positive factor: the net moves against its reference");
   return with_itself / with_reference;
 }
 

@@ -11,7 +11,8 @@
 namespace nodal::elastic {
 
 /// The factor c that minimises G(c·k): u scales with s = 1/c, so s = ⟨u, u_ref⟩_W / ⟨u, u⟩_W, without a search.
-/// InputError when the net is a mechanism, or moves against its reference so that no positive factor helps.
+/// std::invalid_argument when the net can't carry its loads, or moves against its reference so that no positive factor
+/// helps.
 [[nodiscard]] double best_scale(const Scene& scene, const std::vector<double>& stiffness);
 
 /// The minimiser of the convex energy
@@ -19,7 +20,7 @@ namespace nodal::elastic {
 /// subject to bounds. J ≥ 0, and J = 0 exactly where u = u_ref: it is the energy norm of the misfit. One optimum, from
 /// any start; found by a projected Newton method (Bertsekas 1982) whose steps come from preconditioned conjugate
 /// gradients with Hessian products (b_e·u)(b_e·K⁻¹b_f)(b_f·u), one solve per load each. Valid where u_ref meets the
-/// supports.
+/// supports. std::invalid_argument when the net can't carry its loads, or a part of the reference isn't known.
 [[nodiscard]] std::vector<double> energy_stiffness(const Scene& scene, const std::array<double, 2>& bounds);
 
 }  // namespace nodal::elastic

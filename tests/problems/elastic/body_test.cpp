@@ -9,7 +9,7 @@
 
 #include <nodal/random.h>
 
-#include "../../lib/messages.h"
+#include "../../support/messages.h"
 #include "body/body_options.h"
 #include "body/segment.h"
 #include "body/side_index.h"

@@ -9,8 +9,8 @@
 
 #include <nodal/elastic/stiffness.h>
 #include <nodal/trial.h>
-#include "../../lib/messages.h"
-#include "../../lib/temporary_directory.h"
+#include "../../support/messages.h"
+#include "../../support/temporary_directory.h"
 #include "files/csv.h"
 
 #include "plate.h"

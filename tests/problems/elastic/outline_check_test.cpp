@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "../../lib/messages.h"
+#include "../../support/messages.h"
 
 namespace nodal::elastic {
 namespace {

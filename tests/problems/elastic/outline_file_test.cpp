@@ -5,8 +5,8 @@
 
 #include <fstream>
 
-#include "../../lib/messages.h"
-#include "../../lib/temporary_directory.h"
+#include "../../support/messages.h"
+#include "../../support/temporary_directory.h"
 #include "body/body_options.h"
 
 namespace nodal::elastic {

@@ -100,6 +100,45 @@ TEST(ExactGrid, OfTrianglesJoinsThreeDirections) {
   }
 }
 
+// Both ways to shift every other row are tried: a hexagon with an odd number of cells per side needs its lowest row
+// shifted, or no row but the middle ones' ends would meet the outline.
+TEST(ExactGrid, OfTrianglesMeetsAHexagonOfAnyNumberOfCells) {
+  for (const std::size_t m : {1u, 2u, 3u, 4u, 7u}) {
+    SCOPED_TRACE(m);
+    const Outline outline(regular_body({1, 2}, 3.0, 6));
+    const GridPoints grid = make_exact_grid(outline, {3.0 / static_cast<double>(m), 0}, GridCells::triangular);
+    EXPECT_EQ(grid.even_rows_shifted, m % 2 == 1);
+    EXPECT_EQ(grid.points.size(), 3 * m * (m + 1) + 1);
+    EXPECT_EQ(count(grid.points, NodeKind::corner), 6u);
+    EXPECT_EQ(count(grid.points, NodeKind::border), 6 * (m - 1));
+    const auto springs = join_grid(outline, grid, "triangular");
+    EXPECT_EQ(springs.size(), 3 * m * (3 * m + 1));
+    const std::vector<Triangle> triangles = grid_triangles(outline, grid, springs);
+    EXPECT_EQ(triangles.size(), 6 * m * m);
+    double area = 0.0;
+    for (const auto& [a, b, c] : triangles) {
+      const std::vector<Point>& at = grid.points.points;
+      const double twice =
+          (at[b][0] - at[a][0]) * (at[c][1] - at[a][1]) - (at[b][1] - at[a][1]) * (at[c][0] - at[a][0]);
+      EXPECT_GT(twice, 0.0);
+      area += 0.5 * twice;
+    }
+    EXPECT_NEAR(area, outline.area(), 1e-12 * area);
+  }
+}
+
+// A hole of one triangle lies between three springs.
+TEST(ExactGrid, OfTrianglesHasNoTriangleInAHole) {
+  const double height = std::numbers::sqrt3 / 2.0;
+  Body body = regular_body({0, 0}, 3.0, 6);
+  body.rings.push_back({{0, 0}, {0.5, height}, {1, 0}});
+  const Outline outline(body);
+  const GridPoints grid = make_exact_grid(outline, {1, 0}, GridCells::triangular);
+  const auto springs = join_grid(outline, grid, "triangular");
+  EXPECT_EQ(springs.size(), 90u);
+  EXPECT_EQ(grid_triangles(outline, grid, springs).size(), 53u);
+}
+
 TEST(ExactGrid, RefusesWhatCantBe) {
   const Outline outline(ell());
   EXPECT_THROW((void)make_exact_grid(outline, {0, 1}, GridCells::rectangular), std::invalid_argument);

@@ -62,8 +62,10 @@ TEST(LatticeStart, IsRefusedOnRectangularCells) {
     make_plate({.initial = "\"lattice\"", .size = "[4.0, 3.0]"});
     FAIL() << "accepted";
   } catch (const InputError& error) {
-    EXPECT_STREQ(error.what(),
-                 "plate.toml:8: the 'lattice' rule needs a crossed grid with square cells; take 'area' instead");
+    EXPECT_STREQ(
+        error.what(),
+        "plate.toml:8: the 'lattice' rule needs a crossed grid of square cells, or equilateral triangles, that "
+        "fill the body to its outline; take 'area' or 'energy' instead");
   }
 }
 

@@ -3,10 +3,10 @@
 
 /// Grids clipped to a body, aligned to the lower left of its bounding box; no triangulation is needed.
 ///
-/// Square and rectangular cells: nodes at low + (column · hx, row · hy). Triangular cells: rows h√3/2 apart, odd rows
-/// shifted by h/2. The far border counts as met within 1e-9.
-/// Units    metres.
-/// Errors   std::invalid_argument for a spacing that is not positive, or so small that the bounding box holds more than
+/// Square and rectangular cells: nodes at low + (column · hx, row · hy). Triangular cells: rows h√3/2 apart, every
+/// other one shifted by h/2: the odd ones, or the even ones where that puts more nodes on the outline, as a hexagon
+/// with an odd number of cells per side needs. The far border counts as met within 1e-9. Units    metres. Errors
+/// std::invalid_argument for a spacing that is not positive, or so small that the bounding box holds more than
 ///          four million nodes.
 
 #include <array>
@@ -29,6 +29,7 @@ struct GridPoints {
   std::vector<GridPlace> grid;        ///< [points]; rows ascending, columns ascending in each
   std::size_t columns = 0, rows = 0;  ///< of the bounding box
   GridCells cells = GridCells::rectangular;
+  bool even_rows_shifted = false;  ///< of triangular cells; else the odd ones are
 };
 
 /// The grid's nodes in the body or on its outline, whether or not that leaves any on it. Of `spacing` the triangular
@@ -45,5 +46,10 @@ struct GridPoints {
 /// "triangular", the three directions. std::invalid_argument for a topology that doesn't go with the cells.
 [[nodiscard]] std::vector<std::array<std::size_t, 2>> join_grid(const Outline& outline, const GridPoints& grid,
                                                                 const std::string& topology);
+
+/// The triangles of an exact triangular grid, counterclockwise: those of which all three sides are among its springs,
+/// as join_grid returns them, and whose middle is in the body.
+[[nodiscard]] std::vector<Triangle> grid_triangles(const Outline& outline, const GridPoints& grid,
+                                                   const std::vector<std::array<std::size_t, 2>>& springs);
 
 }  // namespace nodal::elastic

@@ -82,6 +82,7 @@ StudyNet read_net(const Options& problem, const ProblemContext& context, const B
     SpringFile file = read_spring_file(context.directory / springs.text("file"), net);
     net.topology = fmt::format("from {}", springs.text("file"));
     net.grid = {};
+    net.triangles.clear();
     net.springs = std::move(file.springs);
     read.stiffness = std::move(file.stiffness);
     read.groups = std::move(file.groups);

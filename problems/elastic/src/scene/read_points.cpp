@@ -123,7 +123,9 @@ StudyPoints read_clipped_grid(const Options& points, const std::string& topology
   if (is_grid_topology(topology)) {
     const GridPoints grid = make_exact_grid(outline, cell, cells);
     read.net = net_of(body, grid.points.points);
-    for (const auto& [i, j] : join_grid(outline, grid, topology)) read.grid_pairs.emplace_back(i, j);
+    const auto springs = join_grid(outline, grid, topology);
+    for (const auto& [i, j] : springs) read.grid_pairs.emplace_back(i, j);
+    if (triangular) read.net.triangles = grid_triangles(outline, grid, springs);
     form = "clipped to the body";
   } else {
     read.net = net_of(body, make_fitted_grid(outline, cell, cells).points);
@@ -147,6 +149,26 @@ Density read_density(const Options& points) {
 
 std::size_t count_of(const Options& points, const char* key) { return static_cast<std::size_t>(points.integer(key)); }
 
+// The border of the least total of which that many are inner ones: as dense on the outline as inside. The more points,
+// the more are inner ones, so the total is bisected for: a needle takes thousands of points around few.
+std::size_t border_as_dense(const Outline& outline, std::size_t inner) {
+  std::size_t low = inner + least_border_points(outline);
+  std::size_t high = std::max(low, static_cast<std::size_t>(kMostNodes));
+  if (share_points(outline, high).inner < inner)
+    throw std::invalid_argument(fmt::format(
+        "{} inner nodes, and as dense on an outline as long as this one, are more than {} nodes; say how many with "
+        "'border'",
+        inner, kMostNodes));
+  while (low < high) {
+    const std::size_t middle = low + (high - low) / 2;
+    if (share_points(outline, middle).inner < inner)
+      low = middle + 1;
+    else
+      high = middle;
+  }
+  return low - inner;
+}
+
 RandomPointsOptions read_numbers(const Options& points, const Outline& outline) {
   refuse_both(points, "total", "inner");
   if (points.has("total")) {
@@ -159,10 +181,7 @@ RandomPointsOptions read_numbers(const Options& points, const Outline& outline) 
                                                          layout_of(points)));
   const std::size_t inner = count_of(points, "inner");
   if (points.has("border")) return {.inner = inner, .border = count_of(points, "border")};
-  // As dense on the outline as inside: the total of which the inner ones are what is left.
-  std::size_t total = inner + least_border_points(outline);
-  while (share_points(outline, total).inner < inner) ++total;
-  return {.inner = inner, .border = total - inner};
+  return {.inner = inner, .border = border_as_dense(outline, inner)};
 }
 
 StudyPoints read_scattered(const Options& points, const Body& body, const Outline& outline) {
@@ -338,7 +357,9 @@ StudyPoints read_points(const Options& problem, const ProblemContext& context, c
     throw InputError(points.values().source,
                      fmt::format("layout '{}' needs a body with an outline; this one has none", layout));
   // Springs of a file join the nodes that a grid has.
-  const std::string topology = problem.table("springs").has("file") ? "crossed" : read_topology(problem);
+  const std::string topology = !problem.table("springs").has("file") ? read_topology(problem)
+                               : layout == "triangular"              ? layout
+                                                                     : "crossed";
   const bool clipped = layout == "triangular" || points.has("spacing") || points.has("cell");
   if (layout == "grid" && !clipped) return read_counted_grid(points, topology, body);
   try {

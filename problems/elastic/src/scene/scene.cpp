@@ -64,14 +64,19 @@ std::vector<double> stiffness_by_rule(const std::string& rule, const Source& sou
     if (rule == "lattice") return lattice_stiffness(scene.net, scene.material);
     return energy_stiffness(scene, scene.stiffness_bounds);
   } catch (const std::invalid_argument& error) {
-    throw InputError(source, std::string(error.what()) + (rule == "lattice" ? "; take 'area' instead" : ""));
+    const char* others = rule == "lattice" ? "'area' or 'energy'" : rule == "area" ? "'energy' or 'paper'" : "'paper'";
+    throw InputError(source, fmt::format("{}; take {} instead", error.what(), others));
   }
 }
 
-void scale_best(Scene& scene) {
-  const double factor = best_scale(scene, scene.initial_stiffness);
-  scene.initial_rule += fmt::format(", scaled by its best single factor {:.6g}", factor);
-  for (double& k : scene.initial_stiffness) k *= factor;
+void scale_best(const Source& source, Scene& scene) {
+  try {
+    const double factor = best_scale(scene, scene.initial_stiffness);
+    scene.initial_rule += fmt::format(", scaled by its best single factor {:.6g}", factor);
+    for (double& k : scene.initial_stiffness) k *= factor;
+  } catch (const std::invalid_argument& error) {
+    throw InputError(source, error.what());
+  }
 }
 
 // What a file of springs says, or a rule that suits every net; the paper's on its own plate.
@@ -84,7 +89,7 @@ void read_default_start(const Options& springs, const std::vector<double>& of_fi
   }
   scene.initial_rule = "paper";
   scene.initial_stiffness = paper_stiffness(scene.net, scene.material);
-  if (springs.has("file")) scale_best(scene);
+  if (springs.has("file")) scale_best(springs.at("file").source, scene);
 }
 
 void read_start(const Options& springs, const ProblemContext& context, const std::vector<double>& of_file,
@@ -108,7 +113,7 @@ void read_start(const Options& springs, const ProblemContext& context, const std
   }
   scene.initial_rule = table.text("rule");
   scene.initial_stiffness = stiffness_by_rule(table.text("rule"), initial.source, scene);
-  if (table.has("scale")) scale_best(scene);
+  if (table.has("scale")) scale_best(table.at("scale").source, scene);
 }
 
 MovesOptions read_moves(const Options& options, const Scene& scene) {
@@ -126,6 +131,27 @@ MovesOptions read_moves(const Options& options, const Scene& scene) {
                      fmt::format("{}; take 'auto', which is '{}' here", error.what(), best_lane_instructions()));
   }
   return moves;
+}
+
+// Where nothing that counts moves, every stiffness is as good as another.
+void require_something_to_fit(const Scene& scene, const Source& weights, const Source& loads) {
+  bool moves = false;
+  for (const LoadCase& load : scene.loads.loads) {
+    const SupportGroup& group = scene.loads.groups[load.group];
+    for (std::size_t f = 0; f < load.reference.size(); ++f) {
+      if (load.reference[f] == 0.0) continue;
+      moves = true;
+      const auto held = [f](const Support& s) { return 2 * s.node + s.axis == f; };
+      if (scene.weight_of(f / 2) * group.weight(f) > 0.0 && std::ranges::none_of(group.supports, held)) return;
+    }
+  }
+  if (moves)
+    throw InputError(weights,
+                     "no node that moves has a weight: nothing would be fitted; give those a weight that the "
+                     "net has, inner, border or corner nodes");
+  throw InputError(loads,
+                   "the reference displacement is zero everywhere: there is nothing to fit; give the loads a "
+                   "stress");
 }
 
 // The contents of the files that a scene is read from; that of a start counts by the start's values.
@@ -155,6 +181,8 @@ Scene make_scene(const Options& options, const ProblemContext& context) {
   scene.weights = {weights.number("inner"), weights.number("border"), weights.number("corner")};
   if (scene.weights.inner + scene.weights.border + scene.weights.corner <= 0.0)
     throw InputError(options.table("quality").at("weights").source, "all weights are 0: nothing would be fitted");
+  require_something_to_fit(scene, options.table("quality").at("weights").source,
+                           options.table("loads").values().source);
   scene.solver = options.table("equilibrium").text("method");
 
   const Options springs = options.table("springs");

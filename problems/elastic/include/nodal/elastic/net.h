@@ -59,7 +59,7 @@ struct Net {
   std::string topology;
   std::vector<Point> nodes;
   std::vector<Spring> springs;
-  std::vector<Triangle> triangles;                 ///< counterclockwise, where springs come from a triangulation
+  std::vector<Triangle> triangles;                 ///< counterclockwise, where springs are the sides of triangles
   std::vector<NodeKind> kinds;                     ///< [nodes]; all inner while empty
   std::vector<std::vector<std::size_t>> outlines;  ///< per ring of the body: the nodes on it, along it
 
