@@ -222,6 +222,34 @@ TEST_F(Brought, StartWithoutStiffnessIsScaledBest) {
   EXPECT_NEAR(start_quality(*read(files + plate_cases(4))), start_quality(*plate), 1e-12);
 }
 
+// Springs of one group share a stiffness; lists of a study do the same without a column in the file.
+TEST_F(Brought, SpringsCanBeTiedByGroupsAndLists) {
+  write_plate(*make_plate({.supports = "minimal"}));
+  std::string rows = "first,second,group\n";
+  const auto plate = make_plate();
+  for (const Spring& s : plate->net().springs)
+    rows += fmt::format("{},{},{}\n", s.first, s.second, s.direction[1] == 0.0 ? "beams" : "others");
+  const auto files = [](const std::string& parameters) {
+    std::string text = kFiles;
+    text.replace(text.find("initial ="), 9, "parameters = " + parameters + ", initial =");
+    return text + plate_cases(4);
+  };
+  EXPECT_EQ(refusal(files("\"groups\"")),
+            "study.toml:7: parameters = 'groups' needs springs = { file = … } with a column 'group'");
+  write("springs.csv", rows);
+  const auto grouped = read(files("\"groups\""));
+  EXPECT_EQ(grouped->parameters().size(), 2u);
+  EXPECT_EQ(grouped->parameters().springs_of(0).size(), 20u);
+  const auto listed = read(files("{ lists = [{ name = \"pair\", springs = [[0, 1], [6, 0]] }] }"));
+  EXPECT_EQ(listed->parameters().size(), 71u);
+  EXPECT_EQ(read(files("{ rule = \"by-length\", length_classes = 2 }"))->parameters().size(), 2u);
+  EXPECT_NE(refusal(files("{ lists = [{ name = \"pair\", springs = [[0, 24]] }] }")).find("study.toml:7: "),
+            std::string::npos);
+  EXPECT_EQ(refusal(files("{ rule = \"each\", length_classes = 2 }")),
+            "study.toml:7: 'length_classes' belongs to rule 'by-length'");
+  EXPECT_EQ(refusal(files("{}")), "study.toml:7: 'parameters' as a table must have either 'rule' or 'lists'");
+}
+
 // Results of other measurements must not pass for these.
 TEST_F(Brought, AChangedFileMakesOtherTrials) {
   write_plate(*make_plate({.supports = "minimal"}));
