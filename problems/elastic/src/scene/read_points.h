@@ -13,7 +13,10 @@
 
 namespace nodal::elastic {
 
-[[nodiscard]] OptionSchema points_fields();
+[[nodiscard]] OptionSchema points_fields();  // points_options.cpp
+
+/// More are refused.
+inline constexpr double kMostNodes = 1e6;
 
 /// Nodes on a body, with their places on its outline, not joined yet.
 struct StudyPoints {
