@@ -21,7 +21,7 @@
 namespace nodal::elastic {
 namespace {
 
-// 10,000 where they take seconds; fewer in a build that isn't optimized (CMakeLists.txt).
+// 10,000 where they take seconds; fewer in a slow build (CMakeLists.txt).
 constexpr int kStudies = ANY_BODY_STUDIES;
 
 // A study at random, in the words of a user who may be sensible or not.
