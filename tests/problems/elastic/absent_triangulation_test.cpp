@@ -4,7 +4,7 @@
 #include <nodal/error.h>
 #include <nodal/study.h>
 
-#include "../../lib/messages.h"
+#include "../../support/messages.h"
 #include "../../support/components.h"
 #include "bodies.h"
 #include "points/grid_points.h"

@@ -11,6 +11,7 @@
 
 #include "../../support/messages.h"
 #include "plate.h"
+#include "triangulation/triangulation.h"
 
 namespace nodal::elastic {
 namespace {
@@ -39,7 +40,12 @@ std::shared_ptr<const ElasticProblem> make_patch(const Patch& patch, const std::
 
 const char* const kMaterials[] = {"poisson = 0.33333333333333333", "poisson = 0.25, plane = \"strain\""};
 
-class PatchTest : public testing::TestWithParam<Patch> {};
+class PatchTest : public testing::TestWithParam<Patch> {
+ protected:
+  void SetUp() override {
+    if (GetParam().topology == std::string("delaunay") && !triangulation_available()) GTEST_SKIP() << "needs CGAL";
+  }
+};
 
 // A perfect fit but for rounding: 1e-10 is required, and some 1e-15 times the few hundred terms of a sum is there.
 TEST_P(PatchTest, LatticeStiffnessIsExact) {
