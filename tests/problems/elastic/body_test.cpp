@@ -11,8 +11,8 @@
 
 #include "../../support/messages.h"
 #include "body/body_options.h"
+#include "body/outline.h"
 #include "body/segment.h"
-#include "body/side_index.h"
 #include "plate.h"
 
 namespace nodal::elastic {
@@ -255,25 +255,30 @@ TEST(Contains, IsInsideOrOnTheBorder) {
   }
 }
 
-TEST(SideIndex, AnswersLikeTheSearchThroughAllSides) {
+// The trees of outline.h, among them points within the tolerance of the border and beside it.
+TEST(Contains, IsWhatTheOutlineAnswers) {
   RandomStream random(8);
   for (const Body& body : bodies_to_search()) {
     SCOPED_TRACE(body.name);
-    const SideIndex index(body.rings);
+    const Outline outline(body);
     for (const Point& point : points_around(body, random))
-      EXPECT_EQ(index.contains(point), contains(body, point)) << point[0] << " " << point[1];
-    EXPECT_FALSE(index.contains({kNan, 0.0}));
-    EXPECT_FALSE(index.contains({0.0, kInfinity}));
+      EXPECT_EQ(outline.contains(point), contains(body, point)) << point[0] << " " << point[1];
+    EXPECT_FALSE(outline.contains({kNan, 0.0}));
+    EXPECT_FALSE(outline.contains({0.0, kInfinity}));
   }
 }
 
-// A disc's strips hold few sides each, or the index would be no help.
-TEST(SideIndex, LooksAtFewSidesOfARoundOutline) {
+// A place on an outline has few sides nearby, of a round one and of one all of spikes, or the tree would be no help.
+TEST(Border, LooksAtFewSides) {
   const Body disc = disc_body({0, 0}, 1.0, 2000);
-  const SideIndex index(disc.rings);
-  std::size_t looked_at = 0;
-  for (int i = 0; i < 1000; ++i) looked_at += index.near({0.0, -1.0 + 2.0 * i / 999.0}).size();
-  EXPECT_LT(looked_at, 1000u * 40u);
+  Ring spikes = disc.rings[0];
+  for (std::size_t i = 0; i < spikes.size(); i += 2) spikes[i] = {0.05 * spikes[i][0], 0.05 * spikes[i][1]};
+  for (const Ring& ring : {disc.rings[0], spikes}) {
+    const RingTree tree(ring, 0);
+    std::vector<std::size_t> looked_at;
+    for (const Point& p : ring) tree.collect({p, p}, looked_at);
+    EXPECT_LT(looked_at.size(), 2000u * 20u);
+  }
 }
 
 TEST(Border, IsWhatLiesOnASideAndCornersAreItsCorners) {

@@ -3,8 +3,8 @@
 
 #include <nodal/elastic/net.h>
 
+#include "body/ring_tree.h"
 #include "body/segment.h"
-#include "body/side_index.h"
 
 namespace nodal::elastic {
 
@@ -25,20 +25,20 @@ std::vector<bool> corner_marks(const Ring& ring, double turn) {
   return marks;
 }
 
-// The place of a node on a ring, of whose sides those nearby are given; a node at a vertex belongs to the side that
-// begins there. False when it isn't on the ring.
-bool find_on_ring(const Point& node, const Ring& ring, std::span<const RingPlace> sides, double tolerance,
+// The place of a node on a ring, of whose sides those nearby are given, ascending; a node at a vertex belongs to the
+// side that begins there. False when it isn't on the ring.
+bool find_on_ring(const Point& node, const RingTree& ring, const std::vector<std::size_t>& sides, double tolerance,
                   const std::vector<bool>& corners, OnRing& place) {
   bool at_vertex = false;
-  for (const auto [_, i] : sides) {
-    if (distance(node, ring[i]) > tolerance) continue;
+  for (const std::size_t i : sides) {
+    if (distance(node, ring.vertex(i)) > tolerance) continue;
     if (!at_vertex) place.side = i;
     at_vertex = true;
     place.corner = place.corner || corners[i];
   }
   if (at_vertex) return true;
-  for (const auto [_, i] : sides) {
-    const Point &p = ring[i], &q = ring[(i + 1) % ring.size()];
+  for (const std::size_t i : sides) {
+    const Point &p = ring.vertex(i), &q = ring.vertex(i + 1);
     if (distance_to_segment(node, p, q) > tolerance) continue;
     place.side = i;
     place.share = nearest_share(node, p, q);
@@ -47,22 +47,19 @@ bool find_on_ring(const Point& node, const Ring& ring, std::span<const RingPlace
   return false;
 }
 
-// Those of one ring, of places ordered by ring.
-std::span<const RingPlace> of_ring(std::span<const RingPlace> places, std::size_t ring) {
-  const auto begin = std::ranges::lower_bound(places, ring, {}, &RingPlace::ring);
-  const auto end = std::ranges::upper_bound(begin, places.end(), ring, {}, &RingPlace::ring);
-  return {begin, end};
-}
-
 // The nodes on one ring, along it.
-std::vector<OnRing> nodes_on_ring(const Net& net, const SideIndex& index, std::size_t r) {
-  const Ring& ring = net.body.rings[r];
-  const std::vector<bool> corners = corner_marks(ring, net.body.corner_turn);
+std::vector<OnRing> nodes_on_ring(const Net& net, std::size_t r, double tolerance) {
+  const RingTree ring(net.body.rings[r], 0);
+  const std::vector<bool> corners = corner_marks(net.body.rings[r], net.body.corner_turn);
+  const double margin = 2.0 * tolerance;  // a node at the tolerance itself may not fall through by rounding
   std::vector<OnRing> found;
+  std::vector<std::size_t> nearby;
   for (std::size_t i = 0; i < net.nodes.size(); ++i) {
-    const std::span<const RingPlace> near = of_ring(index.near(net.nodes[i]), r);
+    const Point& node = net.nodes[i];
+    nearby.clear();
+    ring.collect({{node[0] - margin, node[1] - margin}, {node[0] + margin, node[1] + margin}}, nearby);
     OnRing place{i, 0, 0.0, false};
-    if (find_on_ring(net.nodes[i], ring, near, index.tolerance(), corners, place)) found.push_back(place);
+    if (find_on_ring(node, ring, nearby, tolerance, corners, place)) found.push_back(place);
   }
   std::ranges::sort(found, [](const OnRing& a, const OnRing& b) {
     return a.side != b.side ? a.side < b.side : a.share != b.share ? a.share < b.share : a.node < b.node;
@@ -77,9 +74,9 @@ void find_border(Net& net) {
   net.kinds.assign(net.nodes.size(), NodeKind::inner);
   net.outlines.assign(rings.size(), {});
   if (rings.empty()) return;
-  const SideIndex index(rings);
+  const double tolerance = kOnOutline * bounding_box(rings[0]).size();
   for (std::size_t r = 0; r < rings.size(); ++r)
-    for (const OnRing& place : nodes_on_ring(net, index, r)) {
+    for (const OnRing& place : nodes_on_ring(net, r, tolerance)) {
       net.kinds[place.node] = place.corner ? NodeKind::corner : NodeKind::border;
       net.outlines[r].push_back(place.node);
     }

@@ -68,7 +68,7 @@ struct Moments {
                              double thickness = 1.0);
 
 /// True inside the material or within the outline's tolerance of it. Cost     one pass over the sides; for many points
-/// there is body/side_index.h.
+/// there is body/outline.h.
 [[nodiscard]] bool contains(const Body& body, const Point& point);
 
 /// The vertices at which a ring turns by more than `turn`, by more than rounding (1e-6), ascending.

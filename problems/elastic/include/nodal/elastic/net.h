@@ -80,7 +80,7 @@ struct Net {
 };
 
 /// Fills `kinds` and `outlines` from where the nodes lie: within 1e-9 of the body's size of its border, or of a corner.
-/// Cost     nodes × sides of the outline.
+/// Cost     (nodes + sides) log sides.
 void find_border(Net& net);
 
 /// Names of the topologies that nodes can be joined by, with one line each; `grid` is listed as a mechanism.
