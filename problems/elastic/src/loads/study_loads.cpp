@@ -30,8 +30,12 @@ LoadSet read_plate_loads(const Options& loads, Scene& scene) {
     return make_plate_loads(scene.net, scene.material, scene.stress,
                             minimal ? SupportStyle::minimal : SupportStyle::edge);
   } catch (const std::invalid_argument& error) {
-    throw InputError(loads.values().source,
-                     fmt::format("{}; take supports = 'minimal', or give 'cases' of your own", error.what()));
+    const auto& outlines = scene.net.outlines;
+    const bool bare = std::ranges::any_of(outlines, [](const auto& nodes) { return nodes.size() < 2; });
+    const char* advice = outlines.empty() ? "describe the 'body'"
+                         : bare ? "choose points of which some lie on each outline, as 'delaunay' has for any grid"
+                                : "take supports = 'minimal'";
+    throw InputError(loads.values().source, fmt::format("{}; {}, or give 'cases' of your own", error.what(), advice));
   }
 }
 

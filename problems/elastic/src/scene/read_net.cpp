@@ -9,6 +9,7 @@
 
 #include "files/system_files.h"
 #include "points/voronoi_cells.h"
+#include "scene/exclusive_keys.h"
 #include "scene/read_points.h"
 #include "springs/connections.h"
 #include "triangulation/triangulation.h"
@@ -62,11 +63,6 @@ void join_by(const std::string& topology, const Options& springs, Net& net) {
   triangulate(net);
   join(side_pairs(net.triangles), net);
   if (topology == "delaunay-flip") join(flip_pairs(net.nodes, net.triangles), net);
-}
-
-void refuse_both(const Options& springs, const char* key, const char* other) {
-  if (springs.has(key) && springs.has(other))
-    throw InputError(springs.at(key).source, fmt::format("'{}' and '{}' exclude each other", key, other));
 }
 
 }  // namespace

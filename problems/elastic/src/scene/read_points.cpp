@@ -14,6 +14,7 @@
 #include "points/grid_points.h"
 #include "points/iterated_voronoi.h"
 #include "points/random_points.h"
+#include "scene/exclusive_keys.h"
 #include "triangulation/triangulation.h"
 
 namespace nodal::elastic {
@@ -54,11 +55,6 @@ void refuse_foreign_keys(const Options& points, const std::string& layout) {
     if (points.has(key.name) && std::ranges::find(key.layouts, layout) == key.layouts.end())
       throw InputError(points.at(key.name).source, fmt::format("'{}' belongs to layout '{}', and this one is '{}'",
                                                                key.name, fmt::join(key.layouts, "' or '"), layout));
-}
-
-void refuse_both(const Options& points, const char* key, const char* other) {
-  if (points.has(key) && points.has(other))
-    throw InputError(points.at(key).source, fmt::format("'{}' and '{}' exclude each other", key, other));
 }
 
 std::vector<double> read_counts(const Options& points) {
