@@ -2,6 +2,8 @@
 // The commands as a user runs them: what goes to stdout, what to stderr, and the exit code.
 #include <gtest/gtest.h>
 
+#include <optional>
+
 #include <nodal/value.h>
 
 #include "program.h"
@@ -11,6 +13,23 @@ namespace nodal::program {
 namespace {
 
 bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+// The start of the folder's quick.toml, a grid of 3 × 3 nodes, as a stiffness file: diagonals at one stiffness, other
+// springs at another, or as they were.
+void write_start(const Folder& folder, const std::string& file, std::optional<double> others, double diagonals) {
+  Value springs = parse_json(run(folder, {"evaluate", "quick.toml", "--json"}).out, "stdout").at("springs");
+  for (Value& spring : springs.list()) {
+    const Value::List& nodes = spring.at("nodes").list();
+    const std::int64_t step = nodes[1].integer() - nodes[0].integer();
+    if (step == 2 || step == 4)
+      spring.set("stiffness", diagonals);
+    else if (others)
+      spring.set("stiffness", *others);
+  }
+  Value system;
+  system.set("springs", std::move(springs));
+  folder.write(file, to_json(system));
+}
 
 TEST(Compare, PrintsATableAndWritesTheReport) {
   const Folder folder;
@@ -43,16 +62,7 @@ TEST(Compare, RunsOnlyWhatIsMissing) {
 TEST(Compare, ExitsWithOneWhenATrialFailed) {
   const Folder folder;
   folder.write("quick.toml", kQuickStudy);
-  Value system = parse_json(run(folder, {"evaluate", "quick.toml", "--json"}).out, "stdout");
-  Value springs = system.at("springs");
-  for (Value& spring : springs.list()) {
-    const Value::List& nodes = spring.at("nodes").list();
-    const std::int64_t step = nodes[1].integer() - nodes[0].integer();
-    if (step == 2 || step == 4) spring.set("stiffness", 1e-20);
-  }
-  Value file;
-  file.set("springs", springs);
-  folder.write("soft.json", to_json(file));
+  write_start(folder, "soft.json", std::nullopt, 1e-20);
   std::string study = kQuickStudy;
   study.replace(study.find("points ="), 0, "springs = { initial = { file = \"soft.json\" }, bounds = [1e-30, 1e2] }\n");
   folder.write("soft.toml", study);
@@ -175,15 +185,7 @@ TEST(Fit, DrawsTheFittedSystem) {
 TEST(Fit, PrunesSpringsAtTheLowerBound) {
   const Folder folder;
   folder.write("quick.toml", kQuickStudy);
-  Value springs = parse_json(run(folder, {"evaluate", "quick.toml", "--json"}).out, "stdout").at("springs");
-  for (Value& spring : springs.list()) {
-    const Value::List& nodes = spring.at("nodes").list();
-    const std::int64_t step = nodes[1].integer() - nodes[0].integer();
-    spring.set("stiffness", step == 2 || step == 4 ? 1e-4 : 1.0);
-  }
-  Value file;
-  file.set("springs", springs);
-  folder.write("start.json", to_json(file));
+  write_start(folder, "start.json", 1.0, 1e-4);
   folder.write("soft.toml", kQuickStudy + "[problem.springs]\ninitial = { file = \"start.json\" }\n");
   const Output output = run(folder, {"fit", "soft.toml", "--with", "annealing", "--evaluations", "1", "--prune",
                                      "--export", "pruned.json", "--picture", "pruned.svg"});
@@ -245,15 +247,7 @@ TEST(Fit, WithoutSpringsHasNoPicture) {
 TEST(Evaluate, WithoutAnEquilibriumLeavesNoPicture) {
   const Folder folder;
   folder.write("quick.toml", kQuickStudy);
-  Value springs = parse_json(run(folder, {"evaluate", "quick.toml", "--json"}).out, "stdout").at("springs");
-  for (Value& spring : springs.list()) {
-    const Value::List& nodes = spring.at("nodes").list();
-    const std::int64_t step = nodes[1].integer() - nodes[0].integer();
-    if (step == 2 || step == 4) spring.set("stiffness", 1e-20);
-  }
-  Value file;
-  file.set("springs", springs);
-  folder.write("soft.json", to_json(file));
+  write_start(folder, "soft.json", std::nullopt, 1e-20);
   EXPECT_EQ(run(folder, {"evaluate", "quick.toml", "--stiffness", "soft.json", "--picture", "soft.svg"}).exit, 1);
   EXPECT_FALSE(std::filesystem::exists(folder.path() / "soft.svg"));
 }
