@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <nodal/elastic/mechanism.h>
+#include <nodal/file.h>
 
 #include "output_file.h"
 #include "report/mechanism_svg.h"
@@ -36,7 +37,7 @@ Study read_study_or_draw(const std::string& path, const Registry& registry, cons
   } catch (const elastic::MechanismError& error) {
     if (!picture.empty()) {
       refuse_no_picture("--picture", picture);
-      write_output(picture, report::mechanism_svg(drawn(error, path)));
+      replace_file(picture, report::mechanism_svg(drawn(error, path)));
       std::cerr << fmt::format("written: {}\n", picture);
     }
     throw;

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <nodal/elastic/stiffness.h>
+#include <nodal/file.h>
 
 #include "commands.h"
 #include "drawn_refusal.h"
@@ -34,7 +35,7 @@ int evaluate_elastic(const EvaluateArguments& arguments, const std::string& labe
   if (!arguments.picture.empty()) {
     const std::string title =
         arguments.stiffness.empty() ? "start" : std::filesystem::path(arguments.stiffness).filename().string();
-    write_output(arguments.picture, report::picture_svg(report::make_plate(problem, stiffness, state, label, title)));
+    replace_file(arguments.picture, report::picture_svg(report::make_plate(problem, stiffness, state, label, title)));
     std::cerr << fmt::format("written: {}\n", arguments.picture);
   }
   return 0;

@@ -8,6 +8,7 @@
 #include <nodal/elastic/elastic_problem.h>
 #include <nodal/elastic/pruning.h>
 #include <nodal/elastic/stiffness.h>
+#include <nodal/file.h>
 #include <nodal/trial.h>
 
 #include "commands.h"
@@ -119,7 +120,7 @@ void write_fitted(const FitArguments& arguments, const std::string& text) {
     std::cout << text << '\n';
     return;
   }
-  write_output(arguments.out, text + "\n");
+  replace_file(arguments.out, text + "\n");
   std::cerr << fmt::format("written: {}\n", arguments.out);
 }
 
@@ -131,7 +132,7 @@ bool write_picture(const FitArguments& arguments, const elastic::ElasticProblem&
     std::cerr << fmt::format("nodal: no picture: the fitted system of '{}' has no equilibrium\n", label);
     return false;
   }
-  write_output(arguments.picture, report::picture_svg(report::make_plate(problem, stiffness, state, label, title)));
+  replace_file(arguments.picture, report::picture_svg(report::make_plate(problem, stiffness, state, label, title)));
   std::cerr << fmt::format("written: {}\n", arguments.picture);
   return true;
 }

@@ -28,10 +28,4 @@ void refuse_no_picture(const std::string& option, const std::string& path) {
   refuse_unwritable(option, path);
 }
 
-void write_output(const std::string& path, const std::string& text) {
-  std::ofstream out(path, std::ios::binary | std::ios::trunc);
-  out << text << std::flush;
-  if (!out) throw StoreError(fmt::format("cannot write '{}'", path));
-}
-
 }  // namespace nodal

@@ -12,7 +12,4 @@ void refuse_unwritable(const std::string& option, const std::string& path);
 /// The same for a picture, whose name must end in ".svg": so that no study or stiffness file is overwritten by one.
 void refuse_no_picture(const std::string& option, const std::string& path);
 
-/// Replaces the file. StoreError when that fails.
-void write_output(const std::string& path, const std::string& text);
-
 }  // namespace nodal

@@ -4,11 +4,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fstream>
-#include <sstream>
 
 #include <fmt/format.h>
 
+#include <nodal/file.h>
 #include <nodal/random.h>
 #include <nodal/study.h>
 #include <nodal/toml.h>
@@ -283,11 +282,7 @@ StabilityCase read_case(Value table, const fs::path& directory, const Registry& 
 }  // namespace
 
 std::vector<StabilityCase> read_battery(const fs::path& file, const Registry& registry) {
-  std::ifstream in(file, std::ios::binary);
-  std::ostringstream text;
-  if (in) text << in.rdbuf();
-  if (!in || fs::is_directory(file)) throw InputError(fmt::format("cannot read battery '{}'", file.string()));
-  const Value root = parse_toml(text.str(), file.string());
+  const Value root = parse_toml(read_file(file, "battery"), file.string());
   const Value* cases = root.find("case");
   if (!cases || !cases->is_list() || root.table().size() != 1)
     throw InputError(root.source, "a battery consists of [[case]] tables and nothing else");

@@ -2,13 +2,10 @@
 #include <nodal/store.h>
 
 #include <fcntl.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <chrono>
-#include <cstdio>
 #include <cstring>
 #include <ctime>
 #include <unordered_map>
@@ -17,8 +14,11 @@
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
+#include <nodal/file.h>
 #include <nodal/provenance.h>
 #include <nodal/trial.h>
+
+#include "file_descriptor.h"
 
 namespace nodal {
 
@@ -28,11 +28,7 @@ namespace {
 
 constexpr int kManifestSchema = 1;
 constexpr const char* kManifest = "manifest.json";
-
-[[noreturn]] void refuse_write(const fs::path& path, int error) {
-  throw StoreError(
-      fmt::format("cannot write '{}': {}; what was stored before stays valid", path.string(), std::strerror(error)));
-}
+constexpr std::uintmax_t kLargestTrialsFile = std::uintmax_t{1} << 34;  // 16 GB: a record is a few kB
 
 [[noreturn]] void refuse_read(const fs::path& path, int error) {
   throw InputError(fmt::format("cannot read '{}': {}", path.string(), std::strerror(error)));
@@ -42,67 +38,6 @@ void make_directory(const fs::path& path) {
   std::error_code error;
   fs::create_directories(path, error);
   if (error) refuse_write(path, error.value());
-}
-
-// An open file, closed by its owner.
-class File {
- public:
-  /// `shown` stands in messages; a temporary file is spoken of by the name that it will have.
-  File(const fs::path& path, int flags, const fs::path& shown)
-      : path_(shown), descriptor_(::open(path.c_str(), flags | O_CLOEXEC, 0666)) {
-    if (descriptor_ < 0) refuse_write(path_, errno);
-  }
-  ~File() { ::close(descriptor_); }
-  File(const File&) = delete;
-  File& operator=(const File&) = delete;
-
-  // All of it, or StoreError.
-  void write(std::string_view text) {
-    while (!text.empty()) {
-      const ssize_t written = ::write(descriptor_, text.data(), text.size());
-      if (written < 0 && errno == EINTR) continue;
-      if (written < 0) refuse_write(path_, errno);
-      text.remove_prefix(static_cast<std::size_t>(written));
-    }
-  }
-  void flush() {
-    // Some file systems can't; a full disk shows itself here at the latest.
-    if (::fsync(descriptor_) != 0 && errno != EINVAL && errno != ENOTSUP) refuse_write(path_, errno);
-  }
-  // Back to where a line began, so that a line cut off by a full disk does not swallow the next one.
-  void cut_to(off_t size) noexcept { [[maybe_unused]] const int ignored = ::ftruncate(descriptor_, size); }
-  off_t size() const {
-    struct stat status {};
-    return ::fstat(descriptor_, &status) == 0 ? status.st_size : 0;
-  }
-
- private:
-  fs::path path_;
-  int descriptor_;
-};
-
-// InputError when it can't be: results that are there but can't be read must not be taken for missing.
-std::string read_text(const fs::path& path) {
-  std::string text;
-  char buffer[65536];
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> in(std::fopen(path.c_str(), "rbe"), std::fclose);
-  if (!in) refuse_read(path, errno);
-  while (const std::size_t got = std::fread(buffer, 1, sizeof buffer, in.get())) text.append(buffer, got);
-  if (std::ferror(in.get())) refuse_read(path, errno);
-  return text;
-}
-
-void write_atomically(const fs::path& path, std::string_view content) {
-  const fs::path temporary = fmt::format("{}.{}.part", path.string(), ::getpid());
-  try {
-    File file(temporary, O_WRONLY | O_CREAT | O_TRUNC, path);
-    file.write(content);
-    file.flush();
-    if (::rename(temporary.c_str(), path.c_str()) != 0) refuse_write(path, errno);
-  } catch (...) {
-    ::unlink(temporary.c_str());
-    throw;
-  }
 }
 
 std::string utc_now() { return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr))); }
@@ -182,7 +117,7 @@ struct Store::State {
   std::vector<TrialRecord> records;
   std::unordered_map<std::string, std::size_t> by_key;
   std::vector<std::string> warnings;
-  std::unique_ptr<File> out;
+  std::unique_ptr<FileDescriptor> out;
 
   explicit State(fs::path path) : directory(std::move(path)) {
     try {
@@ -196,7 +131,7 @@ struct Store::State {
   void read_manifest() {
     const fs::path path = directory / kManifest;
     if (!fs::exists(path)) return;
-    manifest = parse_json(read_text(path), path.string());
+    manifest = parse_json(read_file(path, ""), path.string());
     const Value* schema = manifest.is_table() ? manifest.find("schema") : nullptr;
     if (!schema || !schema->is_integer())
       throw InputError(fmt::format("'{}' is not the manifest of a store: it has no schema; choose another directory",
@@ -218,7 +153,7 @@ struct Store::State {
   }
 
   void read_lines(const fs::path& file) {
-    const std::string text = read_text(file);
+    const std::string text = read_file(file, "", kLargestTrialsFile);
     int number = 0;
     for (std::size_t begin = 0; begin < text.size();) {
       const std::size_t end = std::min(text.find('\n', begin), text.size());
@@ -303,7 +238,7 @@ void Store::begin(const Study& study) {
   manifest.set("left_out", list_of(study.left_out, left_out_part));
   manifest.set("keys", keys_part(study));
   manifest.set("runs", Value(std::move(runs)));
-  write_atomically(state_->directory / kManifest, to_json(manifest) + "\n");
+  replace_file(state_->directory / kManifest, to_json(manifest) + "\n");
   state_->manifest = std::move(manifest);
 }
 
@@ -311,7 +246,7 @@ void Store::append(const TrialRecord& record) {
   if (!state_->out) {
     make_directory(state_->directory / "trials");
     const fs::path path = state_->directory / "trials" / writer_name();
-    state_->out = std::make_unique<File>(path, O_WRONLY | O_CREAT | O_APPEND, path);
+    state_->out = std::make_unique<FileDescriptor>(path, O_WRONLY | O_CREAT | O_APPEND, 0666, path);
   }
   const off_t before = state_->out->size();
   try {
@@ -327,7 +262,7 @@ void Store::append(const TrialRecord& record) {
 void Store::write_file(const std::string& name, std::string_view content) {
   const fs::path path = state_->directory / name;
   make_directory(path.parent_path());
-  write_atomically(path, content);
+  replace_file(path, content);
 }
 
 }  // namespace nodal

@@ -2,15 +2,12 @@
 #include <nodal/study.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
-#include <cstring>
-#include <fstream>
-#include <sstream>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <nodal/file.h>
 #include <nodal/toml.h>
 
 namespace nodal {
@@ -293,15 +290,7 @@ Study parse_study(std::string_view text, const std::filesystem::path& path, cons
 }
 
 Study read_study(const std::filesystem::path& path, const Registry& registry, const StudyOverrides& overrides) {
-  errno = 0;
-  std::ifstream in(path, std::ios::binary);
-  std::ostringstream text;
-  if (in) text << in.rdbuf();
-  if (in) in.peek();  // an error while reading looks like an empty file until the stream itself is asked
-  if (!in || std::filesystem::is_directory(path))
-    throw InputError(
-        fmt::format("cannot read study '{}': {}", path.string(), errno ? std::strerror(errno) : "not a regular file"));
-  return parse_study(text.str(), path, registry, overrides);
+  return parse_study(read_file(path, "study"), path, registry, overrides);
 }
 
 }  // namespace nodal

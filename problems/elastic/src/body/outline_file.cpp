@@ -2,12 +2,10 @@
 #include "body/outline_file.h"
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
-#include <fstream>
-#include <sstream>
 
 #include <fmt/format.h>
+
+#include <nodal/file.h>
 
 #include "body/ring_closing.h"
 
@@ -30,14 +28,8 @@ FileOutline read_outline_file(const std::filesystem::path& path) {
   if (!wkt && extension != ".geojson" && extension != ".json")
     throw InputError({path.string(), 0}, fmt::format("an outline file must end in .wkt, .geojson or .json, not in '{}'",
                                                      path.extension().string()));
-  errno = 0;
-  std::ifstream in(path, std::ios::binary);
-  std::ostringstream text;
-  if (in) text << in.rdbuf();
-  if (!in || std::filesystem::is_directory(path))
-    throw InputError(fmt::format("cannot read outline file '{}': {}", path.string(),
-                                 errno ? std::strerror(errno) : "not a regular file"));
-  return wkt ? parse_wkt(text.view(), path.string()) : parse_geojson(text.view(), path.string());
+  const std::string text = read_file(path, "outline file");
+  return wkt ? parse_wkt(text, path.string()) : parse_geojson(text, path.string());
 }
 
 }  // namespace nodal::elastic

@@ -7,10 +7,11 @@
 
 #include <fmt/format.h>
 
+#include <nodal/file.h>
+
 #include "body/segment.h"
 #include "files/csv.h"
 #include "files/node_names.h"
-#include "files/text_file.h"
 
 namespace nodal::elastic {
 
@@ -76,7 +77,7 @@ void take(const CsvRow& row, std::size_t node, MeasuredLoad& load) {
 
 std::vector<MeasuredLoad> read_displacement_file(const std::filesystem::path& path, const Net& net,
                                                  const std::vector<std::string>& loads) {
-  const CsvTable table(read_text_file(path, "displacement file"), path.string(),
+  const CsvTable table(read_file(path, "displacement file"), path.string(),
                        {{"load"}, {"node"}, {"x"}, {"y"}, {"ux", true}, {"uy", true}, {"weight"}});
   const bool by_name = table.has("node");
   if (by_name == (table.has("x") && table.has("y")))

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <nodal/elastic/stiffness.h>
+#include <nodal/file.h>
 #include <nodal/value.h>
 
 #include <algorithm>
@@ -7,8 +8,6 @@
 #include <map>
 
 #include <fmt/format.h>
-
-#include "files/text_file.h"
 
 namespace nodal::elastic {
 
@@ -34,7 +33,7 @@ Entry parse_entry(const Value& item) {
 }  // namespace
 
 std::vector<double> read_stiffness_file(const std::filesystem::path& path, const Net& net) {
-  const Value file = parse_json(read_text_file(path, "stiffness file"), path.string());
+  const Value file = parse_json(read_file(path, "stiffness file"), path.string());
   const Value* springs = file.is_table() ? file.find("springs") : nullptr;
   if (!springs || !springs->is_list())
     throw InputError({path.string(), 0},

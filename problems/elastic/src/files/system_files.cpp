@@ -9,11 +9,11 @@
 
 #include <fmt/format.h>
 
+#include <nodal/file.h>
 #include <nodal/value.h>
 
 #include "files/csv.h"
 #include "files/node_names.h"
-#include "files/text_file.h"
 
 namespace nodal::elastic {
 
@@ -38,7 +38,7 @@ bool is_json(const std::filesystem::path& path) { return path.extension() == ".j
 
 // The list under a key of a system file.
 Value::List json_list(const std::filesystem::path& path, const std::string& key, const std::string& what) {
-  const Value file = parse_json(read_text_file(path, what + " file"), path.string());
+  const Value file = parse_json(read_file(path, what + " file"), path.string());
   const Value* list = file.is_table() ? file.find(key) : nullptr;
   if (!list || !list->is_list())
     throw InputError({path.string(), 0}, fmt::format("a system file must have a list \"{}\"", key));
@@ -80,7 +80,7 @@ std::vector<NodeEntry> node_entries(const std::filesystem::path& path) {
     for (const Value& item : json_list(path, "nodes", "node")) entries.push_back(json_node(item));
     return entries;
   }
-  const CsvTable table(read_text_file(path, "node file"), path.string(),
+  const CsvTable table(read_file(path, "node file"), path.string(),
                        {{"node"}, {"x", true}, {"y", true}, {"mass"}});
   for (std::size_t i = 0; i < table.size(); ++i) {
     const CsvRow row = table.row(i);
@@ -98,7 +98,7 @@ std::vector<SpringEntry> spring_entries(const std::filesystem::path& path) {
     for (const Value& item : json_list(path, "springs", "spring")) entries.push_back(json_spring(item));
     return entries;
   }
-  const CsvTable table(read_text_file(path, "spring file"), path.string(),
+  const CsvTable table(read_file(path, "spring file"), path.string(),
                        {{"first", true}, {"second", true}, {"stiffness"}, {"group"}});
   for (std::size_t i = 0; i < table.size(); ++i) {
     const CsvRow row = table.row(i);

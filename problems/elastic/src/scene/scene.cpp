@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <nodal/elastic/elastic_problem.h>
 #include <nodal/elastic/stiffness.h>
+#include <nodal/file.h>
 #include <nodal/random.h>
 
 #include <algorithm>
@@ -10,7 +11,6 @@
 
 #include "body/body_options.h"
 #include "energy_start.h"
-#include "files/text_file.h"
 #include "lanes/lane_instructions.h"
 #include "loads/study_loads.h"
 #include "scene/read_masses.h"
@@ -159,7 +159,7 @@ std::string hash_files(const Options& options, const ProblemContext& context) {
   std::string contents;
   for (const char* table : {"body", "points", "springs", "reference"}) {
     const Options part = options.table(table);
-    if (part.has("file")) contents += read_text_file(context.directory / part.text("file"), table) + '\0';
+    if (part.has("file")) contents += read_file(context.directory / part.text("file"), table) + '\0';
   }
   return contents.empty() ? std::string() : hash128(contents);
 }

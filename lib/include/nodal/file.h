@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+/// Whole files read and replaced: the one place where the toolkit opens what people name.
+///
+/// Reading   regular files only. A FIFO or a device would make the program wait or fill the memory without end.
+/// Replacing all or nothing: the new content is written beside the file and renamed over it, so that whoever reads it
+///           sees the old content or the new, and a full disk loses neither. What is no regular file (/dev/stdout, a FIFO)
+///           is written to instead; a symbolic link stays one, its target is replaced.
+/// Threads   may be called from any.
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace nodal {
+
+/// A study, a table or an outline larger than this is taken for a mistake [bytes].
+inline constexpr std::uintmax_t kLargestInput = std::uintmax_t{1} << 28;
+
+/// The contents. InputError "cannot read <what> '<path>': <why>" when it can't be had: missing, not regular, unreadable,
+/// or larger than `most` bytes. `what` is "study", "node file", …; it may be empty.
+[[nodiscard]] std::string read_file(const std::filesystem::path& path, std::string_view what,
+                                    std::uintmax_t most = kLargestInput);
+
+/// Replaces the file, or makes it. It is on the disk when this returns. StoreError "cannot write '<path>': <why>"; then
+/// what was there before still is.
+void replace_file(const std::filesystem::path& path, std::string_view content);
+
+}  // namespace nodal

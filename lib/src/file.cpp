@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <nodal/file.h>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+
+#include <fmt/format.h>
+
+#include <nodal/error.h>
+
+#include "file_descriptor.h"
+
+namespace nodal {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr mode_t kOrdinaryMode = 0666;  // less what the umask takes
+
+class Reading {
+ public:
+  Reading(const fs::path& path, std::string_view what)
+      : path_(path), what_(what), descriptor_(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC)) {
+    if (descriptor_ < 0) refuse(std::strerror(errno));
+  }
+  ~Reading() { ::close(descriptor_); }
+  Reading(const Reading&) = delete;
+  Reading& operator=(const Reading&) = delete;
+
+  std::string text(std::uintmax_t most) const {
+    struct stat status {};
+    if (::fstat(descriptor_, &status) != 0) refuse(std::strerror(errno));
+    if (S_ISDIR(status.st_mode)) refuse(std::strerror(EISDIR));
+    if (!S_ISREG(status.st_mode)) refuse("not a regular file; copy its content into one");
+    const auto size = static_cast<std::uintmax_t>(status.st_size);
+    if (size > most) refuse_size(most);
+    std::string text;
+    text.reserve(size);
+    char buffer[65536];
+    for (;;) {
+      const ssize_t got = ::read(descriptor_, buffer, sizeof buffer);
+      if (got < 0 && errno == EINTR) continue;
+      if (got < 0) refuse(std::strerror(errno));
+      if (got == 0) return text;
+      text.append(buffer, static_cast<std::size_t>(got));
+      if (text.size() > most) refuse_size(most);  // files of /proc say that they are empty
+    }
+  }
+
+ private:
+  [[noreturn]] void refuse_size(std::uintmax_t most) const {
+    refuse(fmt::format("it is larger than {:.0f} MB", static_cast<double>(most) / 1e6));
+  }
+  [[noreturn]] void refuse(const std::string& why) const {
+    throw InputError(fmt::format("cannot read {}{}'{}': {}", what_, what_.empty() ? "" : " ", path_.string(), why));
+  }
+
+  const fs::path& path_;
+  std::string_view what_;
+  int descriptor_;
+};
+
+// Beside the file and renamed over it. It keeps the permissions of the file that it replaces.
+void write_beside_and_rename(const fs::path& path, const fs::path& shown, mode_t mode, std::string_view content) {
+  const fs::path temporary = fmt::format("{}.{}.part", path.string(), ::getpid());
+  try {
+    {
+      FileDescriptor file(temporary, O_WRONLY | O_CREAT | O_TRUNC, kOrdinaryMode, shown);
+      if (mode != kOrdinaryMode) {
+        [[maybe_unused]] const int ignored = ::fchmod(file.get(), mode);
+      }
+      file.write(content);
+      file.flush();
+    }
+    if (::rename(temporary.c_str(), path.c_str()) != 0) refuse_write(shown, errno);
+  } catch (...) {
+    ::unlink(temporary.c_str());
+    throw;
+  }
+}
+
+}  // namespace
+
+std::string read_file(const fs::path& path, std::string_view what, std::uintmax_t most) {
+  return Reading(path, what).text(most);
+}
+
+void replace_file(const fs::path& path, std::string_view content) {
+  struct stat status {};
+  if (::stat(path.c_str(), &status) != 0) {
+    std::error_code none;
+    // A link that points nowhere yet: its target is made.
+    const fs::path target = fs::is_symlink(path, none) ? path.parent_path() / fs::read_symlink(path, none) : path;
+    write_beside_and_rename(target, path, kOrdinaryMode, content);
+  } else if (S_ISDIR(status.st_mode)) {
+    refuse_write(path, EISDIR);
+  } else if (S_ISREG(status.st_mode)) {
+    std::error_code error;
+    const fs::path target = fs::canonical(path, error);
+    if (error) refuse_write(path, error.value());
+    write_beside_and_rename(target, path, status.st_mode & 07777, content);
+  } else {
+    FileDescriptor(path, O_WRONLY, kOrdinaryMode, path).write(content);
+  }
+}
+
+}  // namespace nodal

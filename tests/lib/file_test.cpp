@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+
+#include <nodal/error.h>
+#include <nodal/file.h>
+
+#include "../support/messages.h"
+#include "../support/temporary_directory.h"
+
+namespace nodal {
+namespace {
+
+namespace fs = std::filesystem;
+using toy::message_of;
+
+class File : public testing::Test {
+ protected:
+  std::string content(const fs::path& path) const {
+    std::ifstream in(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+  }
+  std::string refusal(const fs::path& path) const {
+    return message_of([&] { (void)read_file(path, "table"); });
+  }
+  std::size_t files() const {
+    return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder()), fs::directory_iterator()));
+  }
+  const fs::path& folder() const { return temporary_.path(); }
+
+ private:
+  toy::TemporaryDirectory temporary_;
+};
+
+TEST_F(File, IsReadWholeWithEveryByte) {
+  const std::string all = std::string("a\r\n\0b\xff", 6) + std::string(200000, 'x');
+  replace_file(folder() / "f", all);
+  EXPECT_EQ(read_file(folder() / "f", "table"), all);
+  replace_file(folder() / "f", "");
+  EXPECT_EQ(read_file(folder() / "f", "table"), "");
+}
+
+TEST_F(File, ThatIsMissingOrAFolderIsRefusedByName) {
+  const std::string f = (folder() / "f").string();
+  EXPECT_EQ(refusal(f), "cannot read table '" + f + "': No such file or directory");
+  EXPECT_EQ(refusal(folder()), "cannot read table '" + folder().string() + "': Is a directory");
+  EXPECT_EQ(message_of([&] { (void)read_file(f, ""); }), "cannot read '" + f + "': No such file or directory");
+}
+
+// Each of these would wait, or fill the memory, without end.
+TEST_F(File, ThatIsNoRegularOneIsRefusedAtOnce) {
+  const fs::path fifo = folder() / "fifo", link = folder() / "link";
+  ASSERT_EQ(::mkfifo(fifo.c_str(), 0600), 0);
+  fs::create_symlink("/dev/zero", link);
+  for (const fs::path& path : {fifo, link, fs::path("/dev/zero"), fs::path("/dev/null")})
+    EXPECT_EQ(refusal(path),
+              "cannot read table '" + path.string() + "': not a regular file; copy its content into one");
+}
+
+TEST_F(File, LargerThanALimitIsRefused) {
+  replace_file(folder() / "f", std::string(1000, 'x'));
+  EXPECT_EQ(read_file(folder() / "f", "table", 1000).size(), 1000u);
+  const std::string message = message_of([&] { (void)read_file(folder() / "f", "table", 999); });
+  EXPECT_NE(message.find("it is larger than"), std::string::npos) << message;
+}
+
+TEST_F(File, IsReplacedWithItsPermissionsAndThroughLinks) {
+  const fs::path file = folder() / "f", link = folder() / "link", dangling = folder() / "dangling";
+  replace_file(file, "old");
+  ASSERT_EQ(::chmod(file.c_str(), 0640), 0);
+  fs::create_symlink("f", link);
+  replace_file(link, "new");
+  EXPECT_TRUE(fs::is_symlink(link));
+  EXPECT_EQ(content(file), "new");
+  struct stat status {};
+  ASSERT_EQ(::stat(file.c_str(), &status), 0);
+  EXPECT_EQ(status.st_mode & 07777, 0640u);
+  fs::create_symlink("made", dangling);
+  replace_file(dangling, "x");
+  EXPECT_TRUE(fs::is_symlink(dangling));
+  EXPECT_EQ(content(folder() / "made"), "x");
+  EXPECT_EQ(files(), 4u);
+}
+
+TEST_F(File, OnAFullDiskKeepsWhatItHeld) {
+  // No full disk is at hand, but a limit on the size of files says the same at the same place.
+  const auto replace_beyond_the_limit = [this] {
+    replace_file(folder() / "f", "old");
+    std::signal(SIGXFSZ, SIG_IGN);
+    rlimit limit{};
+    limit.rlim_cur = limit.rlim_max = 4096;
+    if (::setrlimit(RLIMIT_FSIZE, &limit) != 0) std::exit(2);
+    const std::string message = message_of<StoreError>([&] { replace_file(folder() / "f", std::string(8192, 'x')); });
+    const bool said = message.find("File too large") != std::string::npos;
+    std::exit(said && content(folder() / "f") == "old" && files() == 1 ? 0 : 1);
+  };
+  EXPECT_EXIT(replace_beyond_the_limit(), testing::ExitedWithCode(0), "");
+}
+
+TEST_F(File, ThatIsADeviceIsWrittenToAndStaysOne) {
+  replace_file("/dev/null", "text");
+  EXPECT_TRUE(fs::is_character_file("/dev/null"));
+  const std::string message = message_of<StoreError>([] { replace_file("/dev/full", "text"); });
+  EXPECT_TRUE(message.starts_with("cannot write '/dev/full': No space left on device")) << message;
+}
+
+TEST_F(File, InAFolderThatIsNotThereIsRefused) {
+  const std::string path = (folder() / "none" / "f").string();
+  const std::string message = message_of<StoreError>([&] { replace_file(path, "text"); });
+  EXPECT_TRUE(message.starts_with("cannot write '" + path + "': No such file or directory")) << message;
+}
+
+}  // namespace
+}  // namespace nodal
