@@ -165,11 +165,10 @@ class StudyReader {
     optimizer.baseline = options.boolean("baseline");
     optimizer.multi_start = options.boolean("multi_start");
     optimizer.deterministic = description->deterministic && !optimizer.multi_start;
-    if (optimizer.multi_start && !description->local)
-      throw InputError(
-          options.at("multi_start").source,
-          fmt::format("'multi_start' of optimizer '{}' is for local methods; '{}' searches globally by itself",
-                      optimizer.label, optimizer.use));
+    if (optimizer.multi_start && !description->uses_start)
+      throw InputError(options.at("multi_start").source,
+                       fmt::format("'multi_start' of optimizer '{}' gives a method many starts; '{}' looks at none",
+                                   optimizer.label, optimizer.use));
     if (optimizer.baseline && std::ranges::any_of(study_.optimizers, &StudyOptimizer::baseline))
       throw InputError(options.at("baseline").source,
                        fmt::format("optimizer '{}' is a second baseline; only one can be", optimizer.label));

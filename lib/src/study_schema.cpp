@@ -45,7 +45,7 @@ OptionSchema optimizer_entry_schema() {
       {.name = "baseline", .type = OptionType::boolean, .default_value = false,
        .help = "the one that the others are stated as multiples of; one at most"},
       {.name = "multi_start", .type = OptionType::boolean, .default_value = false,
-       .help = "run a local method again and again from random points, charged to the same budget"},
+       .help = "run the method again and again, first from the start, then from random points, charged to the same budget"},
       {.name = "options", .type = OptionType::table, .default_text = "all defaults", .help = "the method's own options"},
   };
 }

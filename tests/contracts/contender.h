@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-/// An optimizer on its way to a race: as registered, or a local one wrapped in multi-start.
+/// An optimizer on its way to a race: as registered, or one that uses a start wrapped in multi-start.
 
 #include <gtest/gtest.h>
 
@@ -34,7 +34,7 @@ inline std::vector<Contender> contenders() {
   std::vector<Contender> all;
   for (const OptimizerDescription& optimizer : components().optimizers()) {
     all.push_back({identifier(optimizer.name), optimizer.name});
-    if (optimizer.local) all.push_back({identifier(optimizer.name) + "_multi_start", optimizer.name, true});
+    if (optimizer.uses_start) all.push_back({identifier(optimizer.name) + "_multi_start", optimizer.name, true});
   }
   return all;
 }

@@ -91,7 +91,8 @@ moved just inside.
 constexpr std::string_view kOptimizerRules = R"(Any number of `[[optimizer]]`; a method may stand more than once under
 different labels. A study without any can be evaluated and fitted, but not compared. An optimizer that needs what a
 problem can't give is refused when the study is read; one that this build lacks is left out, and the report says so.
-`multi_start` is for methods that are called local below; it is refused for the others.
+`multi_start` is worth it for methods that end by themselves, so for local ones and annealing; it is refused for those that
+don't use the start.
 
 )";
 

@@ -296,7 +296,7 @@ TEST(Study, PassesOnWhatAProblemRefuses) {
 
 TEST(Study, RefusesMultiStartOfAGlobalMethod) {
   EXPECT_EQ(refusal_after_problem("[[optimizer]]\nuse = \"wanderer\"\nlabel = \"w\"\nmulti_start = true\n"),
-            "s.toml:6: 'multi_start' of optimizer 'w' is for local methods; 'wanderer' searches globally by itself");
+            "s.toml:6: 'multi_start' of optimizer 'w' gives a method many starts; 'wanderer' looks at none");
 }
 
 TEST(Study, RefusesASecondBaseline) {

@@ -26,8 +26,8 @@ struct OptimizerDescription {
   std::string reference = {};  ///< where the method is described
   Abilities needs = {};
   bool deterministic = false;  ///< draws nothing from the stream
-  bool uses_start = true;      ///< false for methods that search the whole box regardless
-  bool local = false;          ///< goes to a nearby minimum: worth wrapping in multi-start
+  bool uses_start = true;      ///< false for methods that search the whole box regardless: no use in multi-start
+  bool local = false;          ///< goes to a nearby minimum
   DenseMatrix dense_matrix = DenseMatrix::none;  ///< the largest that it holds
   OptionSchema options = {};
   std::function<std::unique_ptr<Optimizer>(const Options&)> make = {};
