@@ -172,6 +172,7 @@ void describe(Archive& archive, T& best) {
   archive.field("evaluation", best.evaluation);
   describe(archive, best.summary);
   archive.field("x", best.x);
+  archive.field("at_bounds", best.at_bounds);
 }
 
 template <class Archive, class T>

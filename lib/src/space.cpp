@@ -26,6 +26,17 @@ bool Space::contains(std::span<const double> x) const {
   return true;
 }
 
+std::size_t Space::at_bounds(std::span<const double> x) const {
+  if (x.size() != size()) throw std::invalid_argument("Space::at_bounds: wrong number of coordinates");
+  constexpr double kNear = 1e-9;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < size(); ++i) {
+    const double near = kNear * (upper_[i] - lower_[i]);
+    if (x[i] <= lower_[i] + near || x[i] >= upper_[i] - near) ++count;
+  }
+  return count;
+}
+
 void Space::clamp(std::span<double> x) const {
   if (x.size() != size()) throw std::invalid_argument("Space::clamp: wrong number of coordinates");
   for (std::size_t i = 0; i < size(); ++i) x[i] = std::isnan(x[i]) ? start_[i] : std::clamp(x[i], lower_[i], upper_[i]);

@@ -176,7 +176,8 @@ class Run {
       record_.end = End::failed;  // what the race saw is kept, but nothing vouches for it
       audited = {Status::ok, meter.best_cost()};
     }
-    record_.best = BestPoint{meter.best_evaluation(), summarize(problem_, audited), {x.begin(), x.end()}};
+    record_.best = BestPoint{meter.best_evaluation(), summarize(problem_, audited), {x.begin(), x.end()},
+                             static_cast<std::int64_t>(problem_.space().at_bounds(x))};
     record_.seconds.to_best = meter.trace().back().seconds;
   }
 

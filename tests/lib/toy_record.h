@@ -23,7 +23,7 @@ inline TrialRecord full_record() {
   r.options.set("population", 12);
   r.options.set("nested", parse_json(R"({"list": [1.5, 2.0], "flag": true, "text": "x"})", "options"));
   r.start = {2.5, 3.5, 0.75};
-  r.best = BestPoint{41, {0.1, 0.2, 0.3}, {1e-300, -2.0, 0.1}};
+  r.best = BestPoint{41, {0.1, 0.2, 0.3}, {1e-300, -2.0, 0.1}, 2};
   r.counts = {1, 2, 3, 4, 5, 6, 7, 8, 9};
   r.work = {10, 11, 12, 13.5, 6.25};
   r.flops_per_value = 1.25;
@@ -100,6 +100,7 @@ inline void expect_equal(const TrialRecord& a, const TrialRecord& b) {
     EXPECT_EQ(a.best->evaluation, b.best->evaluation);
     expect_equal(a.best->summary, b.best->summary);
     EXPECT_EQ(a.best->x, b.best->x);
+    EXPECT_EQ(a.best->at_bounds, b.best->at_bounds);
   }
   expect_equal(a.counts, b.counts);
   expect_equal(a.work, b.work);

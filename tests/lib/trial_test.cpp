@@ -139,6 +139,7 @@ TEST(Trial, RecordsWhatWasSeen) {
   ASSERT_TRUE(record.best.has_value());
   EXPECT_LT(*record.best->summary.quality, 1e-10);
   EXPECT_EQ(record.best->evaluation, 40);
+  EXPECT_EQ(record.best->at_bounds, 0);
   EXPECT_EQ(*record.start.cost, toy::bowl(std::vector<double>{-1.5, -1.5, -1.5}));
   ASSERT_TRUE(record.claimed.has_value());
   EXPECT_EQ(record.claimed->x_equals_best, true);
