@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include <nodal/shown.h>
+
 namespace nodal {
 
 namespace {
@@ -26,7 +28,7 @@ std::string quoted_list(std::span<const std::string> names, const char* last_sep
   std::string text;
   for (std::size_t i = 0; i < names.size(); ++i) {
     if (i > 0) text += i + 1 == names.size() ? last_separator : ", ";
-    text += "'" + names[i] + "'";
+    text += "'" + shown(names[i]) + "'";
   }
   return text;
 }
@@ -42,7 +44,8 @@ InputError::InputError(const Source& source, const std::string& message)
     : std::runtime_error(source.file.empty() ? message : source.text() + ": " + message) {}
 
 std::vector<std::string> nearest_names(std::string_view wrong, std::span<const std::string> valid) {
-  constexpr std::size_t kMost = 3;
+  constexpr std::size_t kMost = 3, kLongestName = 200;
+  if (wrong.size() > kLongestName) return {};  // no slip of the pen, and the distance costs its length
   std::vector<std::pair<std::size_t, std::string>> near;
   for (const std::string& name : valid) {
     const std::size_t distance = edit_distance(wrong, name);

@@ -5,8 +5,13 @@
 #include <charconv>
 #include <cmath>
 #include <stdexcept>
+#include <unordered_set>
 
 #include <nlohmann/json.hpp>
+
+#include <nodal/shown.h>
+
+#include "utf8.h"
 
 namespace nodal {
 
@@ -68,7 +73,9 @@ class ValueBuilder final : public nlohmann::json_sax<nlohmann::json> {
 
   bool null() override {
     if (null_ == JsonNull::left_out && !open_.empty() && open_.back().is_table()) return true;
-    refuse("null is not a value here; leave the key out instead");
+    if (open_.empty()) refuse("null is not a value here");
+    refuse(open_.back().is_table() ? "null is not a value here; leave the key out instead"
+                                   : "null is not a value in a list; leave it out or give one");
   }
   bool boolean(bool value) override { return add(Value(value)); }
   bool number_integer(number_integer_t value) override { return add(Value(static_cast<std::int64_t>(value))); }
@@ -83,7 +90,7 @@ class ValueBuilder final : public nlohmann::json_sax<nlohmann::json> {
   bool start_object(std::size_t) override { return open(Value(Value::Table{})); }
   bool start_array(std::size_t) override { return open(Value(Value::List{})); }
   bool key(string_t& key) override {
-    if (open_.back().find(key)) refuse("key '" + key + "' stands twice");
+    if (stands(key)) refuse("key '" + shown(key) + "' stands twice");
     keys_.back() = key;
     return true;
   }
@@ -91,22 +98,36 @@ class ValueBuilder final : public nlohmann::json_sax<nlohmann::json> {
   bool end_array() override { return close(); }
   bool parse_error(std::size_t, const std::string& token, const nlohmann::detail::exception& error) override {
     constexpr int kNumberOverflow = 406;  // nlohmann reports 1e999 here, not as a number
-    if (error.id == kNumberOverflow) refuse("number '" + token + "' is too large");
+    if (error.id == kNumberOverflow) refuse("number '" + shown(token) + "' is too large");
     // nlohmann's text is "[json.exception…] parse error at line…: what"; only the last part says something new.
     const std::string text = error.what();
     const std::size_t colon = text.find(": ");
-    refuse("not valid JSON: " + (colon == std::string::npos ? text : text.substr(colon + 2)));
+    refuse("not valid JSON: " + shown(colon == std::string::npos ? text : text.substr(colon + 2), kMostOfParseError));
   }
 
   Value result() && { return std::move(root_); }
 
  private:
-  static constexpr std::size_t kDeepest = 200;  // brackets; more is an attack on the stack, not data
+  static constexpr std::size_t kDeepest = 200;            // brackets; more is an attack on the stack, not data
+  static constexpr std::size_t kMostValues = 20'000'000;  // of some hundred bytes each
+  static constexpr std::size_t kMostOfParseError = 240;
+  static constexpr std::size_t kFewKeys = 16;  // so many are compared one by one
 
   [[noreturn]] void refuse(const std::string& message) { throw InputError(here(), message); }
   Source here() { return {name_, lines_.line_at(position_ > 0 ? position_ - 1 : 0)}; }
 
+  // Whether the open table has the key already.
+  bool stands(const std::string& key) {
+    const Value::Table& entries = open_.back().table();
+    if (entries.size() < kFewKeys) return open_.back().find(key) != nullptr;
+    std::unordered_set<std::string>& known = known_.back();
+    if (known.empty())
+      for (const auto& entry : entries) known.insert(entry.first);
+    return !known.insert(key).second;
+  }
+
   bool add(Value value) {
+    if (++values_ > kMostValues) refuse("more than 20 million values; this is more than can be held");
     if (value.source.file.empty()) value.source = here();
     if (open_.empty()) {
       root_ = std::move(value);
@@ -122,12 +143,14 @@ class ValueBuilder final : public nlohmann::json_sax<nlohmann::json> {
     value.source = here();
     open_.push_back(std::move(value));
     keys_.emplace_back();
+    known_.emplace_back();
     return true;
   }
   bool close() {
     Value value = std::move(open_.back());
     open_.pop_back();
     keys_.pop_back();
+    known_.pop_back();
     return add(std::move(value));
   }
 
@@ -138,29 +161,12 @@ class ValueBuilder final : public nlohmann::json_sax<nlohmann::json> {
   Value root_;
   std::vector<Value> open_;
   std::vector<std::string> keys_;
+  std::vector<std::unordered_set<std::string>> known_;  // the keys of large open tables
+  std::size_t values_ = 0;
 };
 
 // ── writing
 // ────────────────────────────────────────────────────────────────────────────────────────────────────────────
-
-// How many bytes the well-formed UTF-8 character at the front of a text has (Unicode, table 3-7); 0 if there is none.
-std::size_t character_size(std::string_view text) {
-  const auto byte = [text](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0u; };
-  const auto between = [](unsigned value, unsigned least, unsigned most) { return least <= value && value <= most; };
-  const auto continues = [&](std::size_t i) { return between(byte(i), 0x80, 0xBF); };
-  const unsigned lead = byte(0);
-  if (lead < 0x80) return 1;
-  if (between(lead, 0xC2, 0xDF)) return continues(1) ? 2 : 0;
-  if (between(lead, 0xE0, 0xEF)) {  // neither longer than needed nor half of a surrogate pair
-    const bool second = between(byte(1), lead == 0xE0 ? 0xA0 : 0x80, lead == 0xED ? 0x9F : 0xBF);
-    return second && continues(2) ? 3 : 0;
-  }
-  if (between(lead, 0xF0, 0xF4)) {  // neither longer than needed nor beyond U+10FFFF
-    const bool second = between(byte(1), lead == 0xF0 ? 0x90 : 0x80, lead == 0xF4 ? 0x8F : 0xBF);
-    return second && continues(2) && continues(3) ? 4 : 0;
-  }
-  return 0;
-}
 
 void write_ascii(char c, std::string& out) {
   switch (c) {
@@ -195,7 +201,7 @@ void write_ascii(char c, std::string& out) {
 void write_text(std::string_view text, std::string& out) {
   out += '"';
   while (!text.empty()) {
-    const std::size_t size = character_size(text);
+    const std::size_t size = utf8_character_size(text);
     if (size == 0) {
       out += "\uFFFD";
     } else if (size == 1) {

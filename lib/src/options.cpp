@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include <nodal/shown.h>
+
 namespace nodal {
 
 namespace {
@@ -155,7 +157,7 @@ class Check {
   void check_text() const {
     if (!value_.is_text()) wrong_type(option_.type);
     if (option_.choices.empty() || std::ranges::find(option_.choices, value_.text()) != option_.choices.end()) return;
-    refuse(fmt::format("is '{}'{}", value_.text(), name_hint(value_.text(), option_.choices)));
+    refuse(fmt::format("is '{}'{}", shown(value_.text()), name_hint(value_.text(), option_.choices)));
   }
 
   const Option& option_;
@@ -174,7 +176,7 @@ void refuse_unknown_keys(const OptionSchema& schema, const Value& given, const s
   for (const Option& option : schema) known.push_back(option.name);
   for (const auto& [key, value] : given.table())
     if (std::ranges::find(known, key) == known.end())
-      throw InputError(value.source, fmt::format("unknown key '{}' in {}{}", key, owner,
+      throw InputError(value.source, fmt::format("unknown key '{}' in {}{}", shown(key), owner,
                                                  known.empty() ? "; it has no options" : name_hint(key, known)));
 }
 

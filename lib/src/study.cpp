@@ -8,6 +8,7 @@
 #include <fmt/ranges.h>
 
 #include <nodal/file.h>
+#include <nodal/shown.h>
 #include <nodal/toml.h>
 
 namespace nodal {
@@ -49,7 +50,7 @@ class StudyReader {
     for (const auto& [key, value] : root_.table())
       if (std::ranges::find(known, key) == known.end())
         throw InputError(value.source,
-                         fmt::format("unknown table or key '{}' in the study{}", key, name_hint(key, known)));
+                         fmt::format("unknown table or key '{}' in the study{}", shown(key), name_hint(key, known)));
   }
 
   Options section(const char* name, const OptionSchema& schema) const {
@@ -85,12 +86,19 @@ class StudyReader {
     const bool plain = !study_.name.empty() && study_.name[0] != '.' && std::ranges::none_of(study_.name, awkward);
     if (!plain)
       throw InputError(options.has("name") ? options.at("name").source : Source{file_, 0},
-                       fmt::format("'{}' can't be the name of a study: it names a folder", study_.name));
+                       fmt::format("'{}' can't be the name of a study: it names a folder", shown(study_.name)));
     study_.seed = overrides_.seed.value_or(static_cast<std::uint64_t>(options.integer("seed")));
     study_.repeats = overrides_.repeats.value_or(static_cast<int>(options.integer("repeats")));
     study_.starts = options.text("starts") == "initial" ? Starts::initial : Starts::sampled;
-    if (study_.repeats < 1)
-      throw InputError(Source{"--repeats", 0}, fmt::format("is {}; it must be at least 1", study_.repeats));
+    check_repeats();
+  }
+
+  // Those of the command line keep to the schema, too.
+  void check_repeats() const {
+    const OptionSchema schema = study_schema();
+    const Option& repeats = *std::ranges::find(schema, "repeats", &Option::name);
+    if (study_.repeats < repeats.minimum || study_.repeats > repeats.maximum)
+      throw InputError(Source{"--repeats", 0}, fmt::format("is {}; allowed: {}", study_.repeats, range_text(repeats)));
   }
 
   void read_budget() {
@@ -132,11 +140,11 @@ class StudyReader {
     const ProblemDescription* description = registry_.find_problem(problem.kind);
     if (!description)
       throw InputError(options.at("kind").source,
-                       fmt::format("unknown problem '{}'{}", problem.kind,
+                       fmt::format("unknown problem '{}'{}", shown(problem.kind),
                                    name_hint(problem.kind, names_of(registry_.problems(), &ProblemDescription::kind))));
     claim_label(problem.label, entry, problem_labels_, "problems", "[problem]");
-    problem.options =
-        resolve_options(description->options, only_keys(entry, own, false), fmt::format("problem '{}'", problem.label));
+    problem.options = resolve_options(description->options, only_keys(entry, own, false),
+                                      fmt::format("problem '{}'", shown(problem.label)));
     problem.problem = description->make(problem.options, {study_.path.parent_path(), entry.source});
     if (options.has("best_known")) {
       const Options known = options.table("best_known");
@@ -161,17 +169,18 @@ class StudyReader {
     Value own;
     own.source = entry.source;
     if (const Value* given = entry.find("options")) own = *given;
-    optimizer.options = resolve_options(description->options, own, fmt::format("optimizer '{}'", optimizer.label));
+    optimizer.options =
+        resolve_options(description->options, own, fmt::format("optimizer '{}'", shown(optimizer.label)));
     optimizer.baseline = options.boolean("baseline");
     optimizer.multi_start = options.boolean("multi_start");
     optimizer.deterministic = description->deterministic && !optimizer.multi_start;
     if (optimizer.multi_start && !description->uses_start)
       throw InputError(options.at("multi_start").source,
                        fmt::format("'multi_start' of optimizer '{}' gives a method many starts; '{}' looks at none",
-                                   optimizer.label, optimizer.use));
+                                   shown(optimizer.label), optimizer.use));
     if (optimizer.baseline && std::ranges::any_of(study_.optimizers, &StudyOptimizer::baseline))
       throw InputError(options.at("baseline").source,
-                       fmt::format("optimizer '{}' is a second baseline; only one can be", optimizer.label));
+                       fmt::format("optimizer '{}' is a second baseline; only one can be", shown(optimizer.label)));
     study_.optimizers.push_back(std::move(optimizer));
   }
 
@@ -190,7 +199,7 @@ class StudyReader {
       return;
     }
     throw InputError(
-        source, fmt::format("unknown optimizer '{}'{}", optimizer.use,
+        source, fmt::format("unknown optimizer '{}'{}", shown(optimizer.use),
                             name_hint(optimizer.use, names_of(registry_.optimizers(), &OptimizerDescription::name))));
   }
 
@@ -204,7 +213,7 @@ class StudyReader {
       throw InputError(
           entry.source,
           fmt::format("two {} have the label '{}' (the other is on line {}); give one a 'label' of its own", what,
-                      label, found->second.line));
+                      shown(label), found->second.line));
     taken.emplace_back(label, entry.source);
   }
 
@@ -229,9 +238,9 @@ class StudyReader {
       const auto left_out = std::ranges::find(study_.left_out, wanted, &LeftOut::label);
       if (left_out != study_.left_out.end())
         throw InputError(Source{"--only", 0},
-                         fmt::format("optimizer '{}' is not in this build: {}", wanted, left_out->reason));
+                         fmt::format("optimizer '{}' is not in this build: {}", shown(wanted), left_out->reason));
       if (std::ranges::find(labels, wanted) == labels.end())
-        throw InputError(Source{"--only", 0}, fmt::format("no optimizer of the study is labelled '{}'{}", wanted,
+        throw InputError(Source{"--only", 0}, fmt::format("no optimizer of the study is labelled '{}'{}", shown(wanted),
                                                           name_hint(wanted, labels)));
     }
     if (!only.empty()) {
@@ -252,12 +261,13 @@ class StudyReader {
       for (const StudyProblem& problem : study_.problems) {
         const std::vector<std::string> missing = problem.problem->abilities().missing(description.needs);
         if (!missing.empty())
-          throw InputError(labelled->second, fmt::format("optimizer '{}' needs {}, which problem '{}' can't give",
-                                                         optimizer.label, fmt::join(missing, " and "), problem.label));
+          throw InputError(labelled->second,
+                           fmt::format("optimizer '{}' needs {}, which problem '{}' can't give", shown(optimizer.label),
+                                       fmt::join(missing, " and "), shown(problem.label)));
         const std::string refusal = dense_matrix_refusal(description, *problem.problem, registry_);
         if (!refusal.empty())
-          throw InputError(labelled->second,
-                           fmt::format("optimizer '{}' on problem '{}' {}", optimizer.label, problem.label, refusal));
+          throw InputError(labelled->second, fmt::format("optimizer '{}' on problem '{}' {}", shown(optimizer.label),
+                                                         shown(problem.label), refusal));
       }
     }
   }
@@ -269,7 +279,7 @@ class StudyReader {
         throw InputError(target_source_,
                          fmt::format("'target_gap' needs to know the best quality of problem '{}'; give it "
                                      "best_known = {{ quality = …, origin = \"…\" }}",
-                                     problem.label));
+                                     shown(problem.label)));
   }
 
   std::string file_;

@@ -5,6 +5,10 @@
 
 #include <toml++/toml.h>
 
+#include <nodal/shown.h>
+
+#include "toml_limits.h"
+
 namespace nodal {
 
 namespace {
@@ -49,6 +53,8 @@ Value convert(const toml::node& node, const std::string& file) {
 }  // namespace
 
 Value parse_toml(std::string_view text, const std::string& file_name) {
+  constexpr std::size_t kMostOfDescription = 240;
+  refuse_beyond_limits(text, file_name);
   try {
     const toml::table table = toml::parse(text, file_name);
     Value result = convert_table(table, file_name);
@@ -56,7 +62,7 @@ Value parse_toml(std::string_view text, const std::string& file_name) {
     return result;
   } catch (const toml::parse_error& error) {
     throw InputError({file_name, static_cast<int>(error.source().begin.line)},
-                     "not valid TOML: " + std::string(error.description()));
+                     "not valid TOML: " + shown(error.description(), kMostOfDescription));
   }
 }
 

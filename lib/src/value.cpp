@@ -65,11 +65,14 @@ bool operator==(const Value& a, const Value& b) {
     return a.is_integer() && b.is_integer() ? a.integer() == b.integer() : a.number() == b.number();
   }
   if (a.is_table() && b.is_table()) {
-    const auto same = [&b](const Value::Table::value_type& entry) {
-      const Value* other = b.find(entry.first);
-      return other && entry.second == *other;
-    };
-    return a.table().size() == b.table().size() && std::ranges::all_of(a.table(), same);
+    const Value::Table &left = a.table(), &right = b.table();
+    if (left.size() != right.size()) return false;
+    for (std::size_t i = 0; i < left.size(); ++i) {
+      // Mostly both have their keys in one order.
+      const Value* other = left[i].first == right[i].first ? &right[i].second : b.find(left[i].first);
+      if (!other || left[i].second != *other) return false;
+    }
+    return true;
   }
   return a.data_ == b.data_;
 }

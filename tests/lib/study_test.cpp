@@ -134,7 +134,9 @@ TEST(Study, RefusesOverridesThatMakeNoSense) {
   EXPECT_EQ(refused([](StudyOverrides& o) { o.seconds = std::nan(""); }), "--seconds: is nan; it must be > 0");
   EXPECT_EQ(refused([](StudyOverrides& o) { o.seconds = HUGE_VAL; }), "--seconds: is inf; it must be finite");
   EXPECT_EQ(refused([](StudyOverrides& o) { o.evaluations = 0; }), "--evaluations: is 0; it must be at least 1");
-  EXPECT_EQ(refused([](StudyOverrides& o) { o.repeats = 0; }), "--repeats: is 0; it must be at least 1");
+  EXPECT_EQ(refused([](StudyOverrides& o) { o.repeats = 0; }), "--repeats: is 0; allowed: 1 ≤ repeats ≤ 100000");
+  EXPECT_EQ(refused([](StudyOverrides& o) { o.repeats = 100001; }),
+            "--repeats: is 100001; allowed: 1 ≤ repeats ≤ 100000");
 }
 
 TEST(Study, RefusesUnknownTablesAndKeys) {

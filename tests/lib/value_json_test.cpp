@@ -139,14 +139,17 @@ TEST(Json, RefusesAKeyThatStandsTwice) {
 
 TEST(Json, RefusesNull) {
   EXPECT_EQ(refusal("{\"a\": 1,\n\"b\":\nnull}"), "f.json:3: null is not a value here; leave the key out instead");
-  EXPECT_EQ(refusal("null"), "f.json:1: null is not a value here; leave the key out instead");
+  EXPECT_EQ(refusal("[1,\nnull]"), "f.json:2: null is not a value in a list; leave it out or give one");
+  EXPECT_EQ(refusal("null"), "f.json:1: null is not a value here");
 }
 
 TEST(Json, LeavesNullKeysOutWhereAsked) {
   const auto read = [](std::string_view text) { return parse_json(text, "f.json", JsonNull::left_out); };
   EXPECT_EQ(read(R"({"a": null, "b": {"c": null, "d": 1}, "e": null})"), read(R"({"b": {"d": 1}})"));
-  for (const char* text : {"null", "[null]", R"({"a": [1, null]})"})
-    EXPECT_EQ(message_of([&] { (void)read(text); }), "f.json:1: null is not a value here; leave the key out instead");
+  for (const char* text : {"[null]", R"({"a": [1, null]})"})
+    EXPECT_EQ(message_of([&] { (void)read(text); }),
+              "f.json:1: null is not a value in a list; leave it out or give one");
+  EXPECT_EQ(message_of([&] { (void)read("null"); }), "f.json:1: null is not a value here");
 }
 
 TEST(Json, NamesTheLineOfWhatIsMalformed) {

@@ -127,7 +127,7 @@ TEST(GeoJson, ThatIsMalformedIsRefusedWithTheLine) {
   EXPECT_EQ(polygon("[]"), "a.json:2: the Polygon has no rings; it must have an outline");
   EXPECT_EQ(polygon("[[]]"), "a.json:2: the outline has no points; leave it out or give at least 3");
   EXPECT_EQ(polygon("[[[0, 0], [1, 0],\n[1, null], [0, 0]]]"),
-            "a.json:3: null is not a value here; leave the key out instead");
+            "a.json:3: null is not a value in a list; leave it out or give one");
 }
 
 TEST(GeoJson, ThatIsOpenIsRefusedWithItsEnds) {
