@@ -151,7 +151,7 @@ bool write_system(const FitArguments& arguments, const StudyProblem& entry, cons
     stiffness = pruned.stiffness;
     title += ", pruned";
   }
-  write_fitted(arguments, elastic::system_json(problem->net(), stiffness));
+  write_fitted(arguments, elastic::system_json(*problem, stiffness));
   return arguments.picture.empty() || write_picture(arguments, *problem, stiffness, entry.label, title);
 }
 

@@ -23,7 +23,7 @@ double unit_of(const LoadSet& loads) {
 
 ElasticModel::ElasticModel(Scene scene_of_problem)
     : scene(std::move(scene_of_problem)),
-      parameters(scene.net, scene.parameter_rule),
+      parameters(scene.net, scene.parameter_rule, scene.stiffness_bounds),
       displacement_unit(unit_of(scene.loads)),
       first_residual(scene.loads.loads.size(), 0) {
   const std::size_t springs = scene.net.springs.size();

@@ -65,21 +65,4 @@ std::vector<double> read_stiffness_file(const std::filesystem::path& path, const
   return stiffness;
 }
 
-std::string system_json(const Net& net, const std::vector<double>& stiffness) {
-  const auto after = [](std::size_t i, std::size_t count) { return i + 1 < count ? "," : ""; };
-  std::string text = "{\"nodes\": [\n";
-  for (std::size_t i = 0; i < net.nodes.size(); ++i) {
-    text += fmt::format("  {{\"node\": {}, \"x\": {}, \"y\": {}", net.id(i), net.nodes[i][0], net.nodes[i][1]);
-    if (!net.masses.empty()) text += fmt::format(", \"mass\": {}", net.masses[i]);
-    text += fmt::format("}}{}\n", after(i, net.nodes.size()));
-  }
-  text += "],\n\"springs\": [\n";
-  for (std::size_t e = 0; e < net.springs.size(); ++e) {
-    const Spring& s = net.springs[e];
-    text += fmt::format("  {{\"nodes\": [{}, {}], \"stiffness\": {}, \"length\": {}}}{}\n", net.id(s.first),
-                        net.id(s.second), stiffness.at(e), s.length, after(e, net.springs.size()));
-  }
-  return text + "]}\n";
-}
-
 }  // namespace nodal::elastic

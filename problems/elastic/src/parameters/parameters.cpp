@@ -7,6 +7,7 @@
 #include <numeric>
 #include <set>
 #include <stdexcept>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -125,7 +126,8 @@ ParameterRule listed_rule(const Net& net, const std::vector<SpringGroup>& groups
   return rule;
 }
 
-Parameters::Parameters(const Net& net, const ParameterRule& rule) {
+Parameters::Parameters(const Net& net, const ParameterRule& rule, const std::array<double, 2>& bounds)
+    : bounds_(bounds), ln_bounds_{std::log(bounds[0]), std::log(bounds[1])} {
   // Coordinates in the order of their first springs. Rounded ranges may read the same: names are told apart by a
   // number.
   const Tied tied = tie(net, rule);
@@ -153,28 +155,63 @@ std::span<const std::size_t> Parameters::springs_of(std::size_t coordinate) cons
   return std::span(members_).subspan(first_.at(coordinate), first_.at(coordinate + 1) - first_[coordinate]);
 }
 
+// Coordinates are "ln k chord" where springs are tied by something with a name, "ln k(1,2)" after their lowest spring
+// else.
+std::string Parameters::group_name(std::size_t spring) const {
+  const std::string& name = names_[group_[spring]];
+  constexpr std::string_view kNamed = "ln k ", kLogarithm = "ln ";
+  if (name.starts_with(kNamed)) return name.substr(kNamed.size());
+  return springs_of(group_[spring]).size() > 1 ? name.substr(kLogarithm.size()) : std::string();
+}
+
 std::size_t Parameters::largest_group() const noexcept {
   std::size_t largest = 0;
   for (std::size_t g = 0; g < size(); ++g) largest = std::max(largest, first_[g + 1] - first_[g]);
   return largest;
 }
 
+double Parameters::stiffness_at(double x) const noexcept {
+  if (x <= ln_bounds_[0]) return bounds_[0];
+  if (x >= ln_bounds_[1]) return bounds_[1];
+  return std::clamp(std::exp(x), bounds_[0], bounds_[1]);
+}
+
 void Parameters::stiffness(std::span<const double> coordinates, std::span<double> stiffness) const {
   if (one_to_one()) {
-    for (std::size_t e = 0; e < springs(); ++e) stiffness[e] = std::exp(coordinates[e]);
+    for (std::size_t e = 0; e < springs(); ++e) stiffness[e] = stiffness_at(coordinates[e]);
     return;
   }
   for (std::size_t g = 0; g < size(); ++g) {
-    const double k = std::exp(coordinates[g]);
+    const double k = stiffness_at(coordinates[g]);
     for (const std::size_t e : springs_of(g)) stiffness[e] = k;
   }
 }
 
+namespace {
+
+bool all_equal(std::span<const std::size_t> springs, std::span<const double> stiffness) {
+  return std::ranges::all_of(springs, [&](std::size_t e) { return stiffness[e] == stiffness[springs.front()]; });
+}
+
+double mean_logarithm(std::span<const std::size_t> springs, std::span<const double> stiffness) {
+  if (all_equal(springs, stiffness)) return std::log(stiffness[springs.front()]);
+  double sum = 0.0;
+  for (const std::size_t e : springs) sum += std::log(stiffness[e]);
+  return sum / static_cast<double>(springs.size());
+}
+
+}  // namespace
+
 void Parameters::coordinates(std::span<const double> stiffness, std::span<double> coordinates) const {
+  for (std::size_t g = 0; g < size(); ++g) coordinates[g] = mean_logarithm(springs_of(g), stiffness);
+}
+
+void Parameters::tie(std::span<double> stiffness) const {
   for (std::size_t g = 0; g < size(); ++g) {
-    double sum = 0.0;
-    for (const std::size_t e : springs_of(g)) sum += std::log(stiffness[e]);
-    coordinates[g] = sum / static_cast<double>(springs_of(g).size());
+    const std::span<const std::size_t> springs = springs_of(g);
+    if (all_equal(springs, stiffness)) continue;
+    const double k = std::exp(mean_logarithm(springs, stiffness));
+    for (const std::size_t e : springs) stiffness[e] = k;
   }
 }
 

@@ -9,6 +9,7 @@
 /// Threads  immutable; `solve` makes its own workspace.
 
 #include <array>
+#include <limits>
 #include <memory>
 #include <span>
 #include <string>
@@ -40,7 +41,7 @@ struct Scene {
   Weights weights;
   ParameterRule parameter_rule;
   std::vector<double> initial_stiffness;        ///< [springs], before tying and before moving inside the bounds
-  std::array<double, 2> stiffness_bounds = {};  ///< N/m
+  std::array<double, 2> stiffness_bounds = {0.0, std::numeric_limits<double>::infinity()};  ///< N/m
   std::string initial_rule;                     ///< for `explain`
   std::string solver = "auto";                  ///< auto | lanes | simplicial | supernodal
   double stress = 1.0;                          ///< of the plate loads

@@ -10,12 +10,14 @@
 /// `symmetric`: springs tied that a symmetry of the net carries into each other: all rotations and reflections about
 /// the middle of its nodes under which nodes and springs come to lie on nodes and springs, found from the geometry.
 /// `listed`: as a list says.
+/// At a bound a stiffness is the bound itself, to the last bit: exp(ln k) is off by a rounding, and would lie outside.
 /// Shapes   stiffness: [springs]; coordinates: [groups].
-/// Units    metres, degrees.
+/// Units    metres, degrees; bounds and stiffnesses in any one unit.
 /// Cost     construction: O(springs · log springs), with `symmetric` times the few symmetries that are tried in full.
 
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <span>
 #include <string>
 #include <utility>
@@ -50,8 +52,9 @@ struct SpringGroup {
 class Parameters {
  public:
   /// std::invalid_argument for an unknown name, options outside their range, a list of another length than the springs,
-  /// or `symmetric` on a net that has no symmetry.
-  Parameters(const Net& net, const ParameterRule& rule);
+  /// or `symmetric` on a net that has no symmetry. `bounds` are those of every stiffness, 0 ≤ lower < upper.
+  Parameters(const Net& net, const ParameterRule& rule,
+             const std::array<double, 2>& bounds = {0.0, std::numeric_limits<double>::infinity()});
 
   [[nodiscard]] std::size_t size() const noexcept { return names_.size(); }
   [[nodiscard]] std::size_t springs() const noexcept { return group_.size(); }
@@ -60,14 +63,20 @@ class Parameters {
   [[nodiscard]] std::size_t coordinate_of(std::size_t spring) const { return group_[spring]; }
   /// The springs that a coordinate moves, ascending.
   [[nodiscard]] std::span<const std::size_t> springs_of(std::size_t coordinate) const;
+  /// What files call the group of a spring: "chord" of a list, "horizontal", "0°–12.5°"; empty for a spring on its own.
+  [[nodiscard]] std::string group_name(std::size_t spring) const;
   /// How many springs the coordinate moves that moves most.
   [[nodiscard]] std::size_t largest_group() const noexcept;
   /// True when every coordinate moves one spring, in the same order.
   [[nodiscard]] bool one_to_one() const noexcept { return size() == springs(); }
 
-  /// k_e = exp(x_g).
+  /// exp(x) within the bounds, and a bound exactly where x is its logarithm or beyond.
+  [[nodiscard]] double stiffness_at(double x) const noexcept;
+  /// k_e = stiffness_at(x_g).
   void stiffness(std::span<const double> coordinates, std::span<double> stiffness) const;
-  /// x_g = ln of the geometric mean of the group's stiffnesses.
+  /// Every spring gets the geometric mean of its group, whatever the bounds; exactly what it had where all are equal.
+  void tie(std::span<double> stiffness) const;
+  /// x_g = ln of the geometric mean of the group's stiffnesses; ln k, without another rounding, where all are equal.
   void coordinates(std::span<const double> stiffness, std::span<double> coordinates) const;
   /// ∂/∂x_g = Σ_{e in g} k_e ∂/∂k_e. `by_spring` holds ∂/∂k_e.
   void chain(std::span<const double> stiffness, std::span<const double> by_spring,
@@ -78,6 +87,7 @@ class Parameters {
   std::vector<std::size_t> members_;  // springs, coordinate by coordinate
   std::vector<std::size_t> first_;    // where a coordinate's members begin
   std::vector<std::string> names_;
+  std::array<double, 2> bounds_, ln_bounds_;
 };
 
 }  // namespace nodal::elastic

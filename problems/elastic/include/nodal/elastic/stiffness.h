@@ -5,7 +5,9 @@
 ///
 /// Units    N/m. Shapes: [springs].
 
+#include <array>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,10 +33,26 @@ namespace nodal::elastic {
 /// InputError for a missing, doubled or unknown spring, or a stiffness that is not a positive number.
 [[nodiscard]] std::vector<double> read_stiffness_file(const std::filesystem::path& path, const Net& net);
 
-/// All that a simulator needs, springs and nodes in the net's order:
-///     {"nodes": [{"node": i, "x": x, "y": y, "mass": m}, …],
-///      "springs": [{"nodes": [i, j], "stiffness": k, "length": L}, …]}
-/// "mass" only where the net has masses. Units    m, kg, N/m. A study can read it back as points, springs and start.
-[[nodiscard]] std::string system_json(const Net& net, const std::vector<double>& stiffness);
+/// What a system file says beyond nodes and springs; what is empty is left out.
+struct SystemDetails {
+  std::vector<std::string> groups = {};              ///< [springs]: which share a stiffness; an empty name is a free one
+  std::optional<std::array<double, 2>> bounds = {};  ///< within which stiffnesses were fitted
+};
+
+/// The number that "schema" has in a system file. Raised when a key changes its meaning or goes away.
+inline constexpr int kSystemSchema = 1;
+
+/// All that a simulator needs, springs and nodes in the net's order, and what a study needs to go on from there:
+///     {"schema": 1, "bounds": [lower, upper],
+///      "nodes": [{"node": i, "x": x, "y": y, "mass": m}, …],
+///      "springs": [{"nodes": [i, j], "stiffness": k, "length": L, "group": "chord"}, …]}
+/// "mass" only where the net has masses. Units    m, kg, N/m. Numbers have all digits that a double has. A study can read
+/// it back as points, springs and start; docs/your_own_system.md has every key.
+[[nodiscard]] std::string system_json(const Net& net, const std::vector<double>& stiffness,
+                                      const SystemDetails& details = {});
+
+class ElasticProblem;
+/// The same with the problem's groups and bounds.
+[[nodiscard]] std::string system_json(const ElasticProblem& problem, const std::vector<double>& stiffness);
 
 }  // namespace nodal::elastic
