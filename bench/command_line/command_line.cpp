@@ -13,6 +13,7 @@
 #include <nodal/provenance.h>
 
 #include "commands.h"
+#include "console.h"
 #include "usage_error.h"
 
 namespace nodal {
@@ -31,7 +32,9 @@ void describe(CLI::App& app) {
   app.description("Compares optimizers on fitting spring/mass systems to elastic bodies.");
   app.footer(
       "Start with: nodal compare bench/scenes/plate.toml\n"
-      "Exit codes: 0 done, 1 a trial failed or a check differed, 2 bad input or usage, 130 interrupted.");
+      "Exit codes: 0 done, 1 a trial failed or a check differed, 2 bad input or usage, or output that can't be "
+      "written,\n"
+      "130 interrupted, 141 the reader of the output went away.");
   app.require_subcommand(1);
   app.set_help_all_flag("--help-all", "Help of all commands");
   app.add_flag_callback(
@@ -153,9 +156,7 @@ void add_list(CLI::App& app, const Registry& registry, int& exit) {
       ->check(CLI::IsMember({"optimizers", "problems", "topologies", "scenes"}));
 }
 
-}  // namespace
-
-int command_line(const Registry& registry, int argc, const char* const* argv) {
+int run_command(const Registry& registry, int argc, const char* const* argv) {
   CLI::App app("", "nodal");
   int exit = 0;
   describe(app);
@@ -168,16 +169,22 @@ int command_line(const Registry& registry, int argc, const char* const* argv) {
   add_list(app, registry, exit);
   try {
     app.parse(argc, argv);
-    std::cout.flush();
     return exit;
   } catch (const CLI::Success& done) {  // --help, --version
     return app.exit(done);
   } catch (const CLI::ParseError& error) {
-    std::cerr << "nodal: " << describe_usage_error(app, error, argc, argv) << '\n';
+    say("nodal", describe_usage_error(app, error, argc, argv));
   } catch (const std::exception& error) {  // InputError, StoreError, and what else a library may throw
-    std::cerr << "nodal: " << error.what() << '\n';
+    say("nodal", error.what());
   }
   return kExitBadInput;
+}
+
+}  // namespace
+
+int command_line(const Registry& registry, int argc, const char* const* argv) {
+  Console console;
+  return console.finish(run_command(registry, argc, argv));
 }
 
 }  // namespace nodal

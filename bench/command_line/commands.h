@@ -61,5 +61,6 @@ inline constexpr int kExitTrialFailed = 1;
 inline constexpr int kExitCheckDiffers = 1;
 inline constexpr int kExitBadInput = 2;
 inline constexpr int kExitInterrupted = 130;
+inline constexpr int kExitReaderGone = 141;  ///< whoever read standard output went before its end
 
 }  // namespace nodal

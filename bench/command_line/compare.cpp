@@ -10,6 +10,7 @@
 #include <nodal/store.h>
 
 #include "commands.h"
+#include "console.h"
 #include "progress.h"
 #include "report/left_out.h"
 #include "stop_signal.h"
@@ -20,7 +21,7 @@ namespace nodal {
 namespace {
 
 void say_left_out(const Study& study) {
-  for (const std::string& line : report::left_out_lines(study.left_out)) std::cerr << "left out: " << line << '\n';
+  for (const std::string& line : report::left_out_lines(study.left_out)) say("left out", line);
 }
 
 CompareResult run(const Study& study, const Registry& registry, Store& store, int jobs) {
@@ -46,7 +47,7 @@ int compare_command(const CompareArguments& arguments, const Registry& registry)
   const std::string directory = arguments.out.empty() ? "results/" + study.name : arguments.out;
   Store store{directory};
   const CompareResult result = run(study, registry, store, arguments.jobs);
-  for (const std::string& warning : store.warnings()) std::cerr << "warning: " << warning << '\n';
+  for (const std::string& warning : store.warnings()) say("warning", warning);
   if (result.interrupted) {
     std::cerr << fmt::format(
         "interrupted: {} trials of this run are stored in '{}'; the same command goes on from there\n", result.ran,

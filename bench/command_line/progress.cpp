@@ -6,6 +6,9 @@
 
 #include <fmt/format.h>
 
+#include "console.h"
+#include "report/printable.h"
+
 namespace nodal {
 
 namespace {
@@ -45,8 +48,10 @@ void Progress::draw(const std::string& what, std::size_t done, std::size_t total
   const std::size_t filled = total > 0 ? kBarWidth * done / total : kBarWidth;
   std::string bar;
   for (std::size_t i = 0; i < kBarWidth; ++i) bar += i < filled ? "█" : "░";
-  // "\x1b[K" clears what a longer line before has left.
-  std::cerr << fmt::format("\r{} {}/{} {}  {}\x1b[K", bar, done, total, time_left(done, total), what) << std::flush;
+  send_control(std::cerr, "\r");
+  std::cerr << fmt::format("{} {}/{} {}  {}", bar, done, total, time_left(done, total), report::printable(what));
+  send_control(std::cerr, "\x1b[K");  // clears what a longer line before has left
+  std::cerr << std::flush;
   open_ = true;
 }
 
@@ -66,8 +71,9 @@ std::string trial_line(const TrialRecord& record) {
     line += fmt::format("relative error {:.4g}, ", *record.best->summary.relative_error);
   else if (record.best && record.best->summary.quality)
     line += fmt::format("quality {:.4g}, ", *record.best->summary.quality);
-  return line + fmt::format("{} evaluations, {:.3g} s ({}{}{})", record.counts.evaluations, record.seconds.total,
-                            to_string(record.end), record.reason.empty() ? "" : ": ", record.reason);
+  line += fmt::format("{} evaluations, {:.3g} s ({}{}{})", record.counts.evaluations, record.seconds.total,
+                      to_string(record.end), record.reason.empty() ? "" : ": ", record.reason);
+  return report::printable(line);
 }
 
 }  // namespace nodal

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <iostream>
 #include <optional>
 
 #include <nodal/store.h>
 
 #include "commands.h"
+#include "console.h"
 #include "write_report.h"
 
 namespace nodal {
@@ -13,7 +13,7 @@ int report_command(const ReportArguments& arguments, const Registry& registry) {
   std::vector<Store> stores;
   for (const std::string& directory : arguments.directories) {
     stores.push_back(Store::open_existing(directory));
-    for (const std::string& warning : stores.back().warnings()) std::cerr << "warning: " << warning << '\n';
+    for (const std::string& warning : stores.back().warnings()) say("warning", warning);
   }
   if (arguments.out.empty() && stores.size() > 1)
     throw InputError("several stores make one report of their own; say where it goes with --out DIR");

@@ -11,6 +11,7 @@
 
 #include <nodal/study.h>
 
+#include "console.h"
 #include "report/plates.h"
 #include "report/report.h"
 
@@ -58,12 +59,13 @@ void write_report(std::span<const Store> stores, const Registry& registry, Store
       add_plates(study_of(store, registry), data);
     } catch (const std::exception& error) {
       data.warnings.push_back(fmt::format("no pictures for '{}': {}", store.directory().string(), error.what()));
-      std::cerr << "warning: " << data.warnings.back() << '\n';
+      say("warning", data.warnings.back());
     }
   }
-  std::cout << report::console_table(data, table_width()) << std::flush;
+  // Files first: whoever reads the table may go away, or have no room for it.
   target.write_file("summary.csv", report::summary_csv(data));
   target.write_file("report.html", report::report_html(data));
+  std::cout << report::console_table(data, table_width()) << std::flush;
   std::cerr << fmt::format("report: {}\n", (target.directory() / "report.html").string());
 }
 

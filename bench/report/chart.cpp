@@ -2,11 +2,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
 
 #include <fmt/format.h>
 
 #include "html.h"
+#include "number_text.h"
 
 namespace nodal::report {
 
@@ -17,9 +17,6 @@ constexpr std::array<Axis, 3> kAxes = {Axis::seconds, Axis::evaluations, Axis::w
 // Digits that no chart can show only make the page large. Qualities need more than positions: near G* the gap is what
 // remains of them.
 constexpr int kPositionDigits = 5, kQualityDigits = 12;
-double shortened(double value, int digits) {
-  return std::strtod(fmt::format("{:.{}g}", value, digits).c_str(), nullptr);
-}
 
 bool drawable(const CurvePoint& p) {
   return std::isfinite(p.position) && p.position > 0.0 && std::isfinite(p.quality.lower) &&
@@ -36,7 +33,7 @@ std::vector<const CurvePoint*> drawable_points(const std::vector<CurvePoint>& cu
 
 Value column(const std::vector<const CurvePoint*>& points, int digits, double (*get)(const CurvePoint&)) {
   Value::List numbers;
-  for (const CurvePoint* p : points) numbers.push_back(shortened(get(*p), digits));
+  for (const CurvePoint* p : points) numbers.push_back(rounded(get(*p), digits));
   return numbers;
 }
 

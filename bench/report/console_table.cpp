@@ -6,6 +6,7 @@
 
 #include "left_out.h"
 #include "number_text.h"
+#include "printable.h"
 #include "report.h"
 #include "table.h"
 
@@ -60,6 +61,8 @@ std::vector<std::string> fit(Table& table, std::size_t width) {
 
 std::string problem_block(const ProblemReport& problem, std::size_t width) {
   Table table = make_text_table(problem);
+  for (auto& row : table.rows)
+    for (std::string& cell : row) cell = printable(cell);
   const std::vector<std::string> left_out = fit(table, width);
   const std::vector<std::size_t> widths = column_widths(table);
   std::vector<std::string> titles, subtitles;
@@ -67,7 +70,7 @@ std::string problem_block(const ProblemReport& problem, std::size_t width) {
     titles.push_back(column.title);
     subtitles.push_back(column.subtitle);
   }
-  std::string text = problem.table.reference.label + ": " + describe_reference(problem) + "\n\n";
+  std::string text = printable(problem.table.reference.label + ": " + describe_reference(problem)) + "\n\n";
   text += line(table, widths, titles) + line(table, widths, subtitles);
   for (const auto& row : table.rows) text += line(table, widths, row);
   if (!left_out.empty()) text += fmt::format("(left out to fit {} columns: {})\n", width, fmt::join(left_out, ", "));
@@ -79,10 +82,11 @@ std::string problem_block(const ProblemReport& problem, std::size_t width) {
 std::string console_table(const ReportData& data, std::size_t width) {
   std::string text;
   for (const ProblemReport& problem : data.problems) text += problem_block(problem, width);
-  for (const std::string& line : left_out_lines(data.left_out)) text += "Left out: " + line + "\n";
+  for (const std::string& line : left_out_lines(data.left_out)) text += printable("Left out: " + line) + "\n";
   for (const FailedTrial& trial : data.failed)
-    text += fmt::format("Failed: {} on {}, repeat {}, {}: {}\n", trial.optimizer, trial.problem, trial.repeat,
-                        to_string(trial.end), trial.reason);
+    text += printable(fmt::format("Failed: {} on {}, repeat {}, {}: {}", trial.optimizer, trial.problem, trial.repeat,
+                                  to_string(trial.end), trial.reason)) +
+            "\n";
   for (const std::string& sentence : table_legend()) text += sentence + "\n";
   return text;
 }

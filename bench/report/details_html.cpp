@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cstdint>
-#include <cstdlib>
 
 #include <fmt/format.h>
 
@@ -30,8 +29,7 @@ std::vector<VoronoiStep> thinned(const std::vector<VoronoiStep>& all) {
 
 Value column(const std::vector<VoronoiStep>& steps, double (*get)(const VoronoiStep&)) {
   Value::List numbers;
-  for (const VoronoiStep& step : steps)
-    numbers.push_back(std::strtod(fmt::format("{:.5g}", get(step)).c_str(), nullptr));
+  for (const VoronoiStep& step : steps) numbers.push_back(rounded(get(step), 5));
   return numbers;
 }
 

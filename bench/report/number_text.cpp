@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <cstdlib>
 
 #include <fmt/format.h>
 
@@ -51,6 +52,11 @@ std::string figure_text(double value, int digits) {
   const int power = rounded_power(value, digits);
   if (power < -4 || power >= 6) return short_exponent(fmt::format("{:.{}e}", value, digits - 1));
   return fmt::format("{:.{}f}", value, std::max(0, digits - 1 - power));
+}
+
+// Not by std::stod, which throws where a subnormal number is read.
+double rounded(double value, int digits) {
+  return std::strtod(fmt::format("{:.{}e}", value, digits - 1).c_str(), nullptr);
 }
 
 std::string seconds_text(double seconds) {

@@ -11,6 +11,8 @@ namespace nodal::report {
 
 /// Significant digits, plain between 1e-4 and 1e6, else "1.2e-9"; trailing zeros stay, so that columns compare.
 [[nodiscard]] std::string figure_text(double value, int digits);
+/// The double nearest to `value` written with so many significant digits; subnormal ones, too.
+[[nodiscard]] double rounded(double value, int digits);
 /// "430 ns", "1.72 ms", "12.3 s", "2.5 min": three digits.
 [[nodiscard]] std::string seconds_text(double seconds);
 /// "12,345", "1.25 M", "3.40 G"; a median between two counts is rounded.

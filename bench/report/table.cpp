@@ -98,7 +98,7 @@ void add_targets(std::vector<Filler>& fillers, const OptimizerRow* baseline) {
 std::vector<const OptimizerRow*> best_first(const ProblemTable& table, bool has_error) {
   const auto key = [has_error](const OptimizerRow* row) {
     const std::optional<Quartiles>& q = has_error ? row->relative_error : row->quality;
-    const double printed = q ? std::stod(fmt::format("{:.{}e}", q->median, kDigits - 1)) : kNever;
+    const double printed = q ? rounded(q->median, kDigits) : kNever;
     return std::tuple(printed, row->target(kDefaultGap).median[kSeconds].value_or(kNever));
   };
   std::vector<const OptimizerRow*> rows;

@@ -31,6 +31,7 @@ bool write_all(int descriptor, std::string_view text) {
 [[noreturn]] void run_child(const std::function<std::string()>& work, int out, pid_t parent) {
   ::signal(SIGINT, SIG_IGN);
   ::signal(SIGTERM, SIG_DFL);
+  ::signal(SIGPIPE, SIG_DFL);  // a program may ignore it for its own output
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (::getppid() != parent) ::_exit(kWorkThrew);  // the parent was gone before the line above
   int status = kWorkThrew;

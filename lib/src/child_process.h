@@ -3,7 +3,8 @@
 
 /// A function that runs in a forked copy of this process and sends one text back through a pipe.
 ///
-/// The child ignores SIGINT (the parent decides what becomes of it), dies with its parent, and leaves by _exit.
+/// The child ignores SIGINT (the parent decides what becomes of it), has the default for SIGTERM and SIGPIPE, dies with
+/// its parent, and leaves by _exit.
 /// Threads  fork copies the calling thread only: call from a process without other threads.
 
 #include <sys/types.h>

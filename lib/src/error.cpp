@@ -24,6 +24,13 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   return row.back();
 }
 
+// what() ends at the first NUL, which a quoted text may hold: shown as TOML and JSON write it, it loses nothing.
+std::string uncut(std::string text) {
+  for (std::size_t at = text.find('\0'); at != std::string::npos; at = text.find('\0', at))
+    text.replace(at, 1, "\\u0000");
+  return text;
+}
+
 std::string quoted_list(std::span<const std::string> names, const char* last_separator) {
   std::string text;
   for (std::size_t i = 0; i < names.size(); ++i) {
@@ -41,7 +48,7 @@ std::string Source::text() const {
 }
 
 InputError::InputError(const Source& source, const std::string& message)
-    : std::runtime_error(source.file.empty() ? message : source.text() + ": " + message) {}
+    : std::runtime_error(uncut(source.file.empty() ? message : source.text() + ": " + message)) {}
 
 std::vector<std::string> nearest_names(std::string_view wrong, std::span<const std::string> valid) {
   constexpr std::size_t kMost = 3, kLongestName = 200;

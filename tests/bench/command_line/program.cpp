@@ -14,12 +14,28 @@ namespace nodal::program {
 
 namespace {
 
-[[noreturn]] void become_program(const std::filesystem::path& folder, const std::vector<std::string>& arguments) {
+int pipe_without_reader() {
+  int ends[2];
+  if (::pipe(ends) != 0) ::_exit(125);
+  ::close(ends[0]);
+  return ends[1];
+}
+
+void redirect(Stdout out) {
+  if (out == Stdout::full) ::dup2(::open("/dev/full", O_WRONLY), STDOUT_FILENO);
+  if (out == Stdout::closed) ::close(STDOUT_FILENO);
+  if (out == Stdout::gone || out == Stdout::both_gone) ::dup2(pipe_without_reader(), STDOUT_FILENO);
+  if (out == Stdout::both_gone) ::dup2(STDOUT_FILENO, STDERR_FILENO);
+}
+
+[[noreturn]] void become_program(const std::filesystem::path& folder, const std::vector<std::string>& arguments,
+                                 Stdout where) {
   if (::chdir(folder.c_str()) != 0) ::_exit(126);
   const int out = ::open("stdout", O_CREAT | O_TRUNC | O_WRONLY, 0666),
             err = ::open("stderr", O_CREAT | O_TRUNC | O_WRONLY, 0666);
   ::dup2(out, STDOUT_FILENO);
   ::dup2(err, STDERR_FILENO);
+  redirect(where);
   std::vector<char*> words = {const_cast<char*>(NODAL_PROGRAM)};
   for (const std::string& argument : arguments) words.push_back(const_cast<char*>(argument.c_str()));
   words.push_back(nullptr);
@@ -45,9 +61,9 @@ std::filesystem::path Folder::write(const std::string& name, const std::string& 
   return path_ / name;
 }
 
-Started::Started(const Folder& folder, const std::vector<std::string>& arguments)
+Started::Started(const Folder& folder, const std::vector<std::string>& arguments, Stdout out)
     : folder_(folder), process_(::fork()) {
-  if (process_ == 0) become_program(folder.path(), arguments);
+  if (process_ == 0) become_program(folder.path(), arguments, out);
 }
 
 Output Started::wait() {
@@ -57,8 +73,8 @@ Output Started::wait() {
           read_file(folder_.path() / "stderr")};
 }
 
-Output run(const Folder& folder, const std::vector<std::string>& arguments) {
-  return Started(folder, arguments).wait();
+Output run(const Folder& folder, const std::vector<std::string>& arguments, Stdout out) {
+  return Started(folder, arguments, out).wait();
 }
 
 std::string read_file(const std::filesystem::path& path) {

@@ -32,10 +32,19 @@ class Folder {
   std::filesystem::path path_;
 };
 
+/// Where stdout of a program goes.
+enum class Stdout {
+  file,      ///< a file of the folder, as stderr always does unless said otherwise
+  full,      ///< a device without room
+  closed,    ///< nowhere
+  gone,      ///< a pipe that nobody reads any more
+  both_gone  ///< stderr, too
+};
+
 /// A program that has been started and not yet waited for; stdout and stderr go to files of `folder`.
 class Started {
  public:
-  Started(const Folder& folder, const std::vector<std::string>& arguments);
+  Started(const Folder& folder, const std::vector<std::string>& arguments, Stdout out = Stdout::file);
   [[nodiscard]] pid_t process() const noexcept { return process_; }
   Output wait();
 
@@ -45,7 +54,7 @@ class Started {
 };
 
 /// Starts in `folder` and waits.
-Output run(const Folder& folder, const std::vector<std::string>& arguments);
+Output run(const Folder& folder, const std::vector<std::string>& arguments, Stdout out = Stdout::file);
 
 [[nodiscard]] std::string read_file(const std::filesystem::path& path);
 [[nodiscard]] std::size_t count_lines(const std::filesystem::path& directory);  ///< of all its *.jsonl files

@@ -37,6 +37,32 @@ random-search                0.2811    [0.2808, 0.2814]   2.249  20,736       15
 )") + kLegend);
 }
 
+// The smallest numbers there are, rows like any other.
+TEST(ConsoleTable, SortsSubnormalQualities) {
+  ReportData data = fixture::make_data();
+  std::vector<OptimizerRow>& rows = data.problems[0].table.rows;
+  for (OptimizerRow& row : rows) row.relative_error.reset();
+  rows[0].quality = Quartiles{5e-324, 5e-324, 5e-324};
+  rows[1].quality = Quartiles{1.7e-308, 1.7e-308, 1.7e-308};
+  rows[2].quality = Quartiles{0.0, 2.2e-309, 3.4e-308};
+  const std::string text = console_table(data);
+  const std::size_t first = text.find("4.941e-324"), second = text.find("2.200e-309"), third = text.find("1.700e-308");
+  EXPECT_LT(first, second) << text;
+  EXPECT_LT(second, third);
+  EXPECT_NE(third, std::string::npos);
+  EXPECT_EQ(rounded(5e-324, 4), 5e-324);
+  EXPECT_EQ(rounded(0.0999951, 4), 0.1);
+}
+
+TEST(ConsoleTable, LetsNothingThroughThatATerminalWouldObey) {
+  ReportData data = fixture::make_data();
+  data.problems[0].table.reference.label = data.problems[0].table.rows[1].label = data.failed[0].reason =
+      data.left_out[0].reason = "\x1b[2J\r\nfake: 1 2 3";
+  const std::string text = console_table(data);
+  EXPECT_EQ(text.find_first_of("\x1b\r"), std::string::npos);
+  EXPECT_EQ(text.find("\nfake"), std::string::npos);
+}
+
 TEST(ConsoleTable, NamesFailuresAndWhatIsLeftOut) {
   const std::string text = console_table(fixture::make_data());
   EXPECT_NE(text.find("Left out: stogo: this build has NLopt without StoGO\n"), std::string::npos);
