@@ -382,7 +382,7 @@ TEST(BodyOptions, RefuseShapesWithoutTheirKeys) {
             "s.toml:1: shape 'ring' in 'body' needs 'inner_radius'; 'ring' has 'radius', 'inner_radius', 'sides', "
             "'centre'");
   EXPECT_EQ(refusal(R"({"shape": "polygon"})"),
-            "s.toml:1: shape 'polygon' in 'body' needs 'outline'; 'polygon' has 'outline', 'holes'");
+            "s.toml:1: shape 'polygon' in 'body' needs 'outline'; 'polygon' has 'outline', 'holes', 'scale'");
 }
 
 TEST(BodyOptions, BlameSizesThatMakeNoBodyOnTheirKey) {

@@ -10,62 +10,15 @@
 #include <nodal/elastic/stiffness.h>
 #include <nodal/trial.h>
 #include "../../support/messages.h"
-#include "../../support/temporary_directory.h"
-#include "files/csv.h"
 
+#include "brought_files.h"
 #include "plate.h"
 
 namespace nodal::elastic {
 namespace {
 
-// ── tables
-
-CsvTable table(const std::string& text) { return {text, "t.csv", {{"a", true}, {"b"}, {"name"}}}; }
-std::string table_refusal(const std::string& text) {
-  return toy::message_of([&] { (void)table(text); });
-}
-
-TEST(Csv, ReadsColumnsInAnyOrderAndLeavesOutComments) {
-  const CsvTable t = table("# made by hand\n\nb, a\n 1 , 2\n# half\n+3,-4e1\n");
-  ASSERT_EQ(t.size(), 2u);
-  EXPECT_EQ(t.row(0).number("a"), 2.0);
-  EXPECT_EQ(t.row(1).number("a"), -40.0);
-  EXPECT_EQ(t.row(1).number("b"), 3.0);
-  EXPECT_EQ(t.row(1).source().text(), "t.csv:6");
-  EXPECT_FALSE(t.has("name"));
-  EXPECT_EQ(t.row(0).text("name"), "");
-}
-
-TEST(Csv, ReadsSemicolonsTabsQuotesAndWhatSpreadsheetsWrite) {
-  EXPECT_EQ(table("a;name\n1;x\n").row(0).text("name"), "x");
-  EXPECT_EQ(table("a\tname\n1\tx y\n").row(0).text("name"), "x y");
-  EXPECT_EQ(table("\xEF\xBB\xBF\"a\",name\r\n1,\"he said \"\"so, so\"\"\"\r\n").row(0).text("name"),
-            "he said \"so, so\"");
-  EXPECT_EQ(table("a,name\n1,\n").row(0).text("name"), "");
-}
-
-TEST(Csv, RefusesWhatItCannotRead) {
-  EXPECT_EQ(table_refusal(""), "t.csv: the file is empty; its first line must name the columns");
-  EXPECT_EQ(table_refusal("b\n1\n"), "t.csv:1: column 'a' is missing; possible columns: a, b, name");
-  EXPECT_EQ(table_refusal("a,nome\n"), "t.csv:1: unknown column 'nome'; did you mean 'name'?");
-  EXPECT_EQ(table_refusal("a,a\n"), "t.csv:1: column 'a' stands twice");
-  EXPECT_EQ(table_refusal("a,b\n1\n"), "t.csv:2: 1 fields, where the first line names 2 columns: a, b");
-  EXPECT_EQ(table_refusal("a,name\n1,\"x\n"), "t.csv:2: a quoted field doesn't end on its line");
-  const auto number = [](const char* field) {
-    return toy::message_of([&] { (void)table(std::string("a\n") + field + "\n").row(0).required_number("a"); });
-  };
-  EXPECT_EQ(number("1,5"), "t.csv:2: 2 fields, where the first line names 1 columns: a");
-  EXPECT_EQ(number("1.5m"), "t.csv:2: 'a' is '1.5m'; it must be a finite number");
-  EXPECT_EQ(number("nan"), "t.csv:2: 'a' is 'nan'; it must be a finite number");
-  EXPECT_EQ(number("\"\""), "t.csv:2: 'a' is empty; it must be a number");
-}
-
-// ── whole systems
-
-class Brought : public testing::Test {
+class Brought : public BroughtFiles {
  protected:
-  void write(const std::string& file, const std::string& text) { std::ofstream(directory_.path() / file) << text; }
-
   // A plate's net and its displacements under some loads as files, with nodes named `first_name`, `first_name` + 1, ….
   void write_plate(const ElasticProblem& plate, std::int64_t first_name = 0) {
     const Net& net = plate.net();
@@ -83,21 +36,6 @@ class Brought : public testing::Test {
     write("springs.csv", springs);
     write("displacements.csv", displacements);
   }
-
-  std::shared_ptr<const ElasticProblem> read(const std::string& problem) {
-    return as_elastic(parse_study("[study]\nname = \"brought\"\n[problem]\nkind = \"elastic\"\n" + problem,
-                                  directory_.path() / "study.toml", components()));
-  }
-  // What reading it complains of, without the directory.
-  std::string refusal(const std::string& problem) {
-    std::string message = toy::message_of([&] { (void)read(problem); });
-    const std::string path = directory_.path().string() + "/";
-    for (std::size_t at = message.find(path); at != std::string::npos; at = message.find(path))
-      message.erase(at, path.size());
-    return message;
-  }
-
-  toy::TemporaryDirectory directory_;
 };
 
 constexpr const char* kFiles =

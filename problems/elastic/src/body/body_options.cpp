@@ -10,6 +10,7 @@
 
 #include "body/outline_check.h"
 #include "body/outline_file.h"
+#include "files/table_options.h"
 
 namespace nodal::elastic {
 
@@ -36,6 +37,7 @@ const std::vector<ShapeKey>& shape_keys() {
       {"outline", {"polygon"}, {"polygon"}},
       {"holes", {"polygon"}, {}},
       {"file", {"file"}, {"file"}},
+      {"scale", {"polygon", "file"}, {}},
   };
   return keys;
 }
@@ -72,6 +74,12 @@ Point point_or(const Options& body, const char* key, const Point& otherwise) {
 
 double number_or(const Options& body, const char* key, double otherwise) {
   return body.has(key) ? body.number(key) : otherwise;
+}
+
+void scale_rings(const Options& body, std::vector<Ring>& rings) {
+  const double scale = number_or(body, "scale", 1.0);
+  for (Ring& ring : rings)
+    for (Point& p : ring) p = {p[0] * scale, p[1] * scale};
 }
 
 double radians(double degrees) { return degrees / 180.0 * std::numbers::pi; }
@@ -159,7 +167,9 @@ OptionSchema body_fields() {
       {.name = "file",
        .type = OptionType::text,
        .default_text = "none",
-       .help = "relative to the study: a POLYGON in WKT (.wkt), or a Polygon in GeoJSON (.geojson, .json); metres"},
+       .help = "relative to the study: a POLYGON in WKT (.wkt), or a Polygon in GeoJSON (.geojson, .json); metres, "
+               "unless 'scale' says otherwise"},
+      scale_option("of a polygon or a file: its coordinates"),
       thickness,
       {.name = "corner_turn",
        .type = OptionType::number,
@@ -191,12 +201,17 @@ Body read_body(const Options& body, const ProblemContext& context, const std::st
   if (shape == "file") {
     const std::filesystem::path file = body.text("file");
     FileOutline outline = read_outline_file(context.directory / file);
-    return checked_body(std::move(outline.rings), file.filename().string(), thickness, corner_turn, outline.source);
+    scale_rings(body, outline.rings);
+    Body read =
+        checked_body(std::move(outline.rings), file.filename().string(), thickness, corner_turn, outline.source);
+    read.remarks.insert(read.remarks.begin(), outline.remarks.begin(), outline.remarks.end());
+    return read;
   }
   if (shape == "polygon") {
     std::vector<Ring> rings = {body.points("outline")};
     if (body.has("holes"))
       for (Ring& hole : body.point_lists("holes")) rings.push_back(std::move(hole));
+    scale_rings(body, rings);
     const std::size_t holes = rings.size() - 1;
     Body polygon = checked_body(std::move(rings), "polygon", thickness, corner_turn, body.at("outline").source);
     polygon.name = fmt::format("polygon of {} sides", polygon.rings[0].size());

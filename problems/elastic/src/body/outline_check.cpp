@@ -50,6 +50,16 @@ class OutlineCheck {
     return vertex(a) == vertex(b) ? "" : fmt::format(" to within {:.1g}", tolerance_);
   }
 
+  // A computed place, to a millionth of the body's size: far from the origin that takes more digits.
+  std::string rounded_text(const Point& p) const {
+    constexpr double kDigits = 6.0;
+    const double size = bounding_box(rings_[0]).size();
+    const auto digits = [&](double x) {
+      return static_cast<int>(std::clamp(kDigits + std::log10(std::max(std::abs(x) / size, 1.0)), kDigits, 17.0));
+    };
+    return fmt::format("({:.{}g}, {:.{}g})", p[0], digits(p[0]), p[1], digits(p[1]));
+  }
+
   void check_points(std::size_t r) const {
     const Ring& ring = rings_[r];
     for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -146,8 +156,8 @@ class OutlineCheck {
         what = fmt::format("{}{} lies on {} of {}", vertex_text(a), of_a, side_text(b), name_of(b.ring));
         break;
       case SideConflict::Kind::crossing:
-        what = fmt::format("{}{} and {}{} cross at ({:.6g}, {:.6g})", side_text(a), of_a, side_text(b), of_b,
-                           conflict.where[0], conflict.where[1]);
+        what = fmt::format("{}{} and {}{} cross at {}", side_text(a), of_a, side_text(b), of_b,
+                           rounded_text(conflict.where));
     }
     refuse(what + "; " + rule_for(a.ring, b.ring));
   }

@@ -4,7 +4,9 @@
 /// Outlines in files: a POLYGON in WKT (OGC 06-103r4, 7.2) and a Polygon in GeoJSON (RFC 7946).
 ///
 /// Both list rings, the outline first, and each ring ends with its first point again: a ring that doesn't is refused as
-/// open. Coordinates are metres, x and y only. Several polygons, and what else these formats can hold, are refused.
+/// open. Coordinates are metres. A multi-polygon, or a collection, of a single polygon is that polygon; several, and what
+/// else these formats can hold, are refused. A z that is the same for all points is left out, as is the SRID in front
+/// of a WKT, which FileOutline::remarks tells; several z, and measures (M), are refused.
 ///
 /// WKT is read here and not by Boost.Geometry's read_wkt, because 1.74 refuses a line break between numbers, takes
 /// "1 0 6" for the two points (1, 0) and (6, 0) and "1" for (1, 0), and knows no lines. GeoJSON is JSON as parse_json
@@ -24,13 +26,15 @@ namespace nodal::elastic {
 struct FileOutline {
   std::vector<Ring> rings;
   Source source;
+  std::vector<std::string> remarks = {};  ///< what was left out
 };
 
-/// InputError with `name` and the line for anything but one POLYGON with closed rings. Keywords in any case.
+/// InputError with `name` and the line for anything but one POLYGON with closed rings, alone, in a MULTIPOLYGON or in a
+/// GEOMETRYCOLLECTION. Keywords in any case; "SRID=n;" in front, a semicolon behind and quotes around it are skipped.
 [[nodiscard]] FileOutline parse_wkt(std::string_view text, const std::string& name);
 
-/// InputError with `name` and the line for anything but a Polygon, a Feature with one, or a FeatureCollection that
-/// holds exactly one.
+/// InputError with `name` and the line for anything but a Polygon or a MultiPolygon of one, a Feature with such, or a
+/// collection that holds exactly one of these.
 [[nodiscard]] FileOutline parse_geojson(std::string_view text, const std::string& name);
 
 /// By its extension: .wkt, or .geojson and .json. InputError with the path for another, or for a file that can't be

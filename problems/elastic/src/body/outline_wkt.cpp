@@ -2,11 +2,15 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 
 #include <fmt/format.h>
 
+#include <nodal/shown.h>
+
 #include "body/outline_file.h"
 #include "body/ring_closing.h"
+#include "files/same_height.h"
 
 namespace nodal::elastic {
 
@@ -21,40 +25,57 @@ std::string upper_case(std::string_view text) {
   return upper;
 }
 
+// Without white space and a semicolon at the end.
+std::string_view without_end(std::string_view text) {
+  const auto trim = [&text] { text = text.substr(0, text.find_last_not_of(kSpace) + 1); };
+  trim();
+  if (text.ends_with(';')) text.remove_suffix(1);
+  trim();
+  return text;
+}
+
 // Goes through the text by words, numbers and punctuation, and knows the line of each.
 class WktReader {
  public:
-  WktReader(std::string_view text, const std::string& name) : text_(text), name_(name) {
+  WktReader(std::string_view text, const std::string& name) : text_(without_end(text)), name_(name) {
     if (text_.starts_with("\xEF\xBB\xBF")) text_.remove_prefix(3);  // byte order mark
+    skip_space();
+    const char quote = text_.empty() ? ' ' : text_.front();
+    if ((quote == '"' || quote == '\'') && text_.size() > 1 && text_.back() == quote)
+      text_ = without_end(text_.substr(1, text_.size() - 2));
     advance();
   }
 
   FileOutline polygon() {
-    FileOutline outline;
-    outline.source = here();
-    read_type();
-    require("(");
-    do {
-      Ring ring = read_ring();
-      require_closed(ring, outline.rings.size(), ring_source_);
-      outline.rings.push_back(std::move(ring));
-    } while (take(","));
-    require(")");
+    outline_.source = here();
+    take_srid();
+    if (token_.empty()) refuse(fmt::format("the file is empty; {}", kWanted));
+    if (upper_case(token_) == "GEOMETRYCOLLECTION") {
+      advance();
+      read_single([this] { read_geometry(); });
+    } else {
+      read_geometry();
+    }
     if (!token_.empty())
-      refuse(fmt::format("'{}' follows the polygon; one polygon is all that may stand here", shown()));
-    return outline;
+      refuse(fmt::format("'{}' follows the polygon; one polygon is all that may stand here", quoted()));
+    if (const std::string z = heights_.left_out(name_); !z.empty()) outline_.remarks.push_back(z);
+    return std::move(outline_);
   }
 
  private:
   [[nodiscard]] Source here() const { return {name_, line_}; }
   [[noreturn]] void refuse(const std::string& message) const { throw InputError(here(), message); }
-  [[nodiscard]] std::string shown() const { return std::string(token_.substr(0, 40)); }
+  [[nodiscard]] std::string quoted() const { return shown(token_); }
 
-  // To the next token: one of "(", ")", ",", or what stands between them and white space; empty at the end.
-  void advance() {
+  void skip_space() {
     const std::size_t begin = std::min(text_.find_first_not_of(kSpace), text_.size());
     line_ += static_cast<int>(std::ranges::count(text_.substr(0, begin), '\n'));
     text_.remove_prefix(begin);
+  }
+
+  // To the next token: one of "(", ")", ",", or what stands between them and white space; empty at the end.
+  void advance() {
+    skip_space();
     std::size_t size = std::min(text_.find_first_of(kSpaceOrPunctuation), text_.size());
     if (size == 0 && !text_.empty() && kPunctuation.find(text_[0]) != std::string_view::npos) size = 1;
     token_ = text_.substr(0, size);
@@ -70,18 +91,66 @@ class WktReader {
   void require(std::string_view token) {
     if (take(token)) return;
     refuse(token_.empty() ? fmt::format("the text ends where '{}' is missing; {}", token, kWanted)
-                          : fmt::format("'{}' stands where '{}' is missing; {}", shown(), token, kWanted));
+                          : fmt::format("'{}' stands where '{}' is missing; {}", quoted(), token, kWanted));
   }
 
-  void read_type() {
-    const std::string type = upper_case(token_);
-    if (type.empty()) refuse(fmt::format("the file is empty; {}", kWanted));
-    if (type != "POLYGON") refuse(fmt::format("'{}' is no POLYGON; {}", shown(), kWanted));
+  // "SRID=4326;", in front of the type.
+  void take_srid() {
+    if (!upper_case(token_.substr(0, 5)).starts_with("SRID=")) return;
+    const std::size_t end = token_.find(';');
+    if (end == std::string_view::npos)
+      refuse(fmt::format("'{}' must end with a semicolon: SRID=4326;POLYGON…", quoted()));
+    outline_.remarks.push_back(fmt::format("{}: SRID {} is left out, coordinates are taken for metres",
+                                           std::filesystem::path(name_).filename().string(),
+                                           shown(token_.substr(5, end - 5))));
+    token_.remove_prefix(end + 1);
+    if (token_.empty()) advance();
+  }
+
+  // POLYGON or MULTIPOLYGON, with a Z that may be glued to it.
+  void read_geometry() {
+    std::string type = upper_case(token_);
+    const std::string name = quoted();
     advance();
-    const std::string next = upper_case(token_);
-    if (next == "EMPTY") refuse(fmt::format("the polygon is EMPTY; {}", kWanted));
-    if (next == "Z" || next == "M" || next == "ZM")
-      refuse(fmt::format("the polygon has coordinates '{}' beside x and y; a plane body has x and y only", shown()));
+    std::string tag;
+    for (const char* known : {"POLYGON", "MULTIPOLYGON"})
+      for (const char* glued : {"Z", "M", "ZM"})
+        if (type == std::string(known) + glued) {
+          type = known;
+          tag = glued;
+        }
+    if (type != "POLYGON" && type != "MULTIPOLYGON") refuse(fmt::format("'{}' is no POLYGON; {}", name, kWanted));
+    if (const std::string next = upper_case(token_); tag.empty() && (next == "Z" || next == "M" || next == "ZM")) {
+      tag = next;
+      advance();
+    }
+    if (tag == "M" || tag == "ZM")
+      refuse(fmt::format("the polygon has measures, '{}', beside its coordinates; a plane body has x and y only", tag));
+    if (tag == "Z") numbers_ = 3;
+    if (upper_case(token_) == "EMPTY") refuse(fmt::format("the polygon is EMPTY; {}", kWanted));
+    if (type == "MULTIPOLYGON")
+      read_single([this] { read_polygon(); });
+    else
+      read_polygon();
+  }
+
+  // The only one in brackets.
+  template <class Read>
+  void read_single(Read read) {
+    require("(");
+    read();
+    if (token_ == ",") refuse("there is more than one polygon; a body is one: give each a file of its own");
+    require(")");
+  }
+
+  void read_polygon() {
+    require("(");
+    do {
+      Ring ring = read_ring();
+      require_closed(ring, outline_.rings.size(), ring_source_);
+      outline_.rings.push_back(std::move(ring));
+    } while (take(","));
+    require(")");
   }
 
   Ring read_ring() {
@@ -92,12 +161,21 @@ class WktReader {
     do {
       const double x = read_number();
       ring.push_back({x, read_number()});
+      read_height();
       if (token_ != "," && token_ != ")")
         refuse(fmt::format("'{}' follows the point ({}, {}); a point is x and y, points are separated by commas",
-                           token_.empty() ? "nothing" : shown(), ring.back()[0], ring.back()[1]));
+                           token_.empty() ? "nothing" : quoted(), ring.back()[0], ring.back()[1]));
     } while (take(","));
     require(")");
     return ring;
+  }
+
+  // The third number of a point, where all have one: the first one shows it.
+  void read_height() {
+    if (numbers_ == 0) numbers_ = token_ == "," || token_ == ")" ? 2 : 3;
+    if (numbers_ == 2) return;
+    const Source source = here();
+    heights_.add(read_number(), source);
   }
 
   double read_number() {
@@ -107,12 +185,12 @@ class WktReader {
     const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
     const bool whole = end == digits.data() + digits.size();
     if (error == std::errc::result_out_of_range && whole)
-      refuse(fmt::format("'{}' is out of the range of double precision", shown()));
+      refuse(fmt::format("'{}' is out of the range of double precision", quoted()));
     if (error != std::errc() || !whole || !std::isfinite(number))
       refuse(
           token_.empty()
               ? fmt::format("the text ends where a number is missing; {}", kWanted)
-              : fmt::format("'{}' is no finite number; a point is x and y, points are separated by commas", shown()));
+              : fmt::format("'{}' is no finite number; a point is x and y, points are separated by commas", quoted()));
     advance();
     return number;
   }
@@ -122,6 +200,9 @@ class WktReader {
   std::string_view token_;
   int line_ = 1;  // of the token
   Source ring_source_;
+  int numbers_ = 0;  // of each point; 0 until the first one is read
+  SameHeight heights_;
+  FileOutline outline_;
 };
 
 }  // namespace

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <nodal/elastic/stiffness.h>
 #include <nodal/file.h>
-#include <nodal/value.h>
 
 #include <algorithm>
 #include <cmath>
@@ -9,33 +8,29 @@
 
 #include <fmt/format.h>
 
+#include "files/system_json.h"
+
 namespace nodal::elastic {
 
 namespace {
 
-// The entry of one spring: {"nodes": [i, j], "stiffness": k}.
-struct Entry {
-  std::pair<std::int64_t, std::int64_t> nodes;
-  double stiffness;
-};
+std::string name_of(const std::pair<std::int64_t, std::int64_t>& nodes) {
+  return fmt::format("spring ({}, {})", nodes.first, nodes.second);
+}
 
-Entry parse_entry(const Value& item) {
-  const Value* nodes = item.is_table() ? item.find("nodes") : nullptr;
-  const Value* stiffness = item.is_table() ? item.find("stiffness") : nullptr;
-  const bool pair = nodes && nodes->is_list() && nodes->list().size() == 2 && nodes->list()[0].is_integer() &&
-                    nodes->list()[1].is_integer();
-  if (!pair || !stiffness || !stiffness->is_number())
-    throw InputError(item.source, "a spring must be {\"nodes\": [i, j], \"stiffness\": k}");
-  const std::int64_t i = nodes->list()[0].integer(), j = nodes->list()[1].integer();
-  return {{std::min(i, j), std::max(i, j)}, stiffness->number()};
+double stiffness_of(const SpringEntry& entry, const std::string& name) {
+  if (!entry.stiffness) throw InputError(entry.source, name + " has no \"stiffness\"");
+  if (!(*entry.stiffness > 0.0) || !std::isnormal(*entry.stiffness))
+    throw InputError(entry.source,
+                     fmt::format("{} has stiffness {}; it must be a positive number", name, *entry.stiffness));
+  return *entry.stiffness;
 }
 
 }  // namespace
 
 std::vector<double> read_stiffness_file(const std::filesystem::path& path, const Net& net) {
-  const Value file = parse_json(read_file(path, "stiffness file"), path.string());
-  const Value* springs = file.is_table() ? file.find("springs") : nullptr;
-  if (!springs || !springs->is_list())
+  const SystemJson file = parse_system_json(read_file(path, "stiffness file"), path.string());
+  if (!file.has_springs)
     throw InputError({path.string(), 0},
                      "a stiffness file must be {\"springs\": [{\"nodes\": [i, j], \"stiffness\": k}, …]}");
 
@@ -44,18 +39,15 @@ std::vector<double> read_stiffness_file(const std::filesystem::path& path, const
     index[std::minmax({net.id(net.springs[e].first), net.id(net.springs[e].second)})] = e;
   std::vector<double> stiffness(net.springs.size(), 0.0);
   std::vector<bool> seen(net.springs.size(), false);
-  for (const Value& item : springs->list()) {
-    const Entry entry = parse_entry(item);
-    const std::string name = fmt::format("spring ({}, {})", entry.nodes.first, entry.nodes.second);
-    const auto found = index.find(entry.nodes);
+  for (const SpringEntry& entry : file.springs) {
+    const std::pair<std::int64_t, std::int64_t> nodes = std::minmax({entry.first, entry.second});
+    const std::string name = name_of(nodes);
+    const auto found = index.find(nodes);
     if (found == index.end())
-      throw InputError(item.source, name + " is unknown: the net has no spring between these nodes");
-    if (seen[found->second]) throw InputError(item.source, name + " stands twice; every spring must stand once");
-    if (!(entry.stiffness > 0.0) || !std::isnormal(entry.stiffness))
-      throw InputError(item.source,
-                       fmt::format("{} has stiffness {}; it must be a positive number", name, entry.stiffness));
+      throw InputError(entry.source, name + " is unknown: the net has no spring between these nodes");
+    if (seen[found->second]) throw InputError(entry.source, name + " stands twice; every spring must stand once");
     seen[found->second] = true;
-    stiffness[found->second] = entry.stiffness;
+    stiffness[found->second] = stiffness_of(entry, name);
   }
   for (std::size_t e = 0; e < net.springs.size(); ++e)
     if (!seen[e])

@@ -9,106 +9,13 @@
 
 #include <fmt/format.h>
 
-#include <nodal/file.h>
-#include <nodal/value.h>
-
-#include "files/csv.h"
 #include "files/node_names.h"
+#include "files/same_height.h"
+#include "files/system_entries.h"
 
 namespace nodal::elastic {
 
 namespace {
-
-// A line of either kind of file.
-struct NodeEntry {
-  Source source;
-  std::optional<std::int64_t> id;
-  Point at = {0.0, 0.0};
-  std::optional<double> mass;
-};
-
-struct SpringEntry {
-  Source source;
-  std::int64_t first = 0, second = 0;
-  std::optional<double> stiffness;
-  std::string group;
-};
-
-bool is_json(const std::filesystem::path& path) { return path.extension() == ".json"; }
-
-// The list under a key of a system file.
-Value::List json_list(const std::filesystem::path& path, const std::string& key, const std::string& what) {
-  const Value file = parse_json(read_file(path, what + " file"), path.string());
-  const Value* list = file.is_table() ? file.find(key) : nullptr;
-  if (!list || !list->is_list())
-    throw InputError({path.string(), 0}, fmt::format("a system file must have a list \"{}\"", key));
-  return list->list();
-}
-
-// A number of a table, nothing when it isn't there.
-std::optional<double> json_number(const Value& item, const char* key) {
-  const Value* value = item.is_table() ? item.find(key) : nullptr;
-  if (!value) return std::nullopt;
-  if (!value->is_number()) throw InputError(item.source, fmt::format("\"{}\" must be a number", key));
-  return value->number();
-}
-
-NodeEntry json_node(const Value& item) {
-  NodeEntry entry{item.source, std::nullopt, {}, json_number(item, "mass")};
-  const std::optional<double> x = json_number(item, "x"), y = json_number(item, "y");
-  if (!x || !y)
-    throw InputError(item.source, "a node must be {\"x\": x, \"y\": y}, with \"node\" and \"mass\" if known");
-  entry.at = {*x, *y};
-  if (const Value* id = item.find("node")) {
-    if (!id->is_integer()) throw InputError(item.source, "\"node\" must be an integer");
-    entry.id = id->integer();
-  }
-  return entry;
-}
-
-SpringEntry json_spring(const Value& item) {
-  const Value* nodes = item.is_table() ? item.find("nodes") : nullptr;
-  const bool pair = nodes && nodes->is_list() && nodes->list().size() == 2 && nodes->list()[0].is_integer() &&
-                    nodes->list()[1].is_integer();
-  if (!pair) throw InputError(item.source, "a spring must be {\"nodes\": [i, j]}, with \"stiffness\" if known");
-  return {item.source, nodes->list()[0].integer(), nodes->list()[1].integer(), json_number(item, "stiffness"), {}};
-}
-
-std::vector<NodeEntry> node_entries(const std::filesystem::path& path) {
-  std::vector<NodeEntry> entries;
-  if (is_json(path)) {
-    for (const Value& item : json_list(path, "nodes", "node")) entries.push_back(json_node(item));
-    return entries;
-  }
-  const CsvTable table(read_file(path, "node file"), path.string(),
-                       {{"node"}, {"x", true}, {"y", true}, {"mass"}});
-  for (std::size_t i = 0; i < table.size(); ++i) {
-    const CsvRow row = table.row(i);
-    NodeEntry entry{
-        row.source(), std::nullopt, {row.required_number("x"), row.required_number("y")}, row.number("mass")};
-    if (table.has("node")) entry.id = row.required_integer("node");
-    entries.push_back(std::move(entry));
-  }
-  return entries;
-}
-
-std::vector<SpringEntry> spring_entries(const std::filesystem::path& path) {
-  std::vector<SpringEntry> entries;
-  if (is_json(path)) {
-    for (const Value& item : json_list(path, "springs", "spring")) entries.push_back(json_spring(item));
-    return entries;
-  }
-  const CsvTable table(read_file(path, "spring file"), path.string(),
-                       {{"first", true}, {"second", true}, {"stiffness"}, {"group"}});
-  for (std::size_t i = 0; i < table.size(); ++i) {
-    const CsvRow row = table.row(i);
-    entries.push_back({row.source(), row.required_integer("first"), row.required_integer("second"),
-                       row.number("stiffness"), row.text("group")});
-    if (table.has("group") && entries.back().group.empty())
-      throw InputError(row.source(), "'group' is empty; every spring must have one when the column is there");
-  }
-  return entries;
-}
 
 // Values that must stand in every entry or in none.
 template <class Entry>
@@ -148,33 +55,62 @@ void refuse_coincident(const std::vector<NodeEntry>& entries, double size,
     }
 }
 
+void refuse_too_few_groups(const std::vector<SpringEntry>& entries) {
+  const auto grouped = [](const SpringEntry& entry) { return !entry.group.empty(); };
+  if (std::ranges::none_of(entries, grouped)) return;
+  const auto without = std::ranges::find_if_not(entries, grouped);
+  if (without != entries.end())
+    throw InputError(without->source, "the group is missing; give it everywhere or nowhere");
+}
+
+// Springs are at rest where their nodes are: a length of its own would be one of a stressed system.
+void require_rest_length(const SpringEntry& entry, const Spring& spring, double scale, double size) {
+  constexpr double kSameLength = 1e-6;  // of the system's size, so that six digits do
+  if (!entry.length || std::abs(*entry.length * scale - spring.length) <= kSameLength * size) return;
+  throw InputError(
+      entry.source,
+      fmt::format("spring ({}, {}) has length {}, and its nodes are {:.6g} apart: springs at rest only can "
+                  "be computed with; leave the length out if this one is",
+                  entry.first, entry.second, *entry.length, spring.length / scale));
+}
+
 }  // namespace
 
-void read_node_file(const std::filesystem::path& path, Net& net) {
-  const std::vector<NodeEntry> entries = node_entries(path);
+void read_node_file(const std::filesystem::path& path, Net& net, const TableOptions& options) {
+  const Entries<NodeEntry> read = read_node_entries(path, options);
+  const std::vector<NodeEntry>& entries = read.list;
   if (entries.size() < 2) throw InputError({path.string(), 0}, "a system needs at least 2 nodes");
   const bool named = entries[0].id.has_value();
   std::map<std::int64_t, std::size_t> known;
+  SameHeight heights;
   for (const NodeEntry& entry : entries) {
     if (entry.id.has_value() != named)
       throw InputError(entry.source,
                        "some nodes have a name (\"node\") and others don't; give it everywhere or nowhere");
-    if (!std::isfinite(entry.at[0]) || !std::isfinite(entry.at[1]))
-      throw InputError(entry.source, "the position is not finite");
+    const Point at = {entry.at[0] * options.scale, entry.at[1] * options.scale};
+    if (!std::isfinite(at[0]) || !std::isfinite(at[1])) throw InputError(entry.source, "the position is not finite");
     if (named && !known.emplace(*entry.id, net.nodes.size()).second)
       throw InputError(entry.source, fmt::format("node {} stands twice", *entry.id));
+    heights.add(entry.z, entry.source);
     if (named) net.ids.push_back(*entry.id);
-    net.nodes.push_back(entry.at);
+    net.nodes.push_back(at);
   }
-  refuse_coincident(entries, bounding_box(net.nodes).size(), [&](std::size_t i) { return std::to_string(net.id(i)); });
+  refuse_coincident(entries, bounding_box(net.nodes).size() / options.scale,
+                    [&](std::size_t i) { return std::to_string(net.id(i)); });
   net.masses = all_or_none(entries, &NodeEntry::mass, "mass", true);
   net.layout = fmt::format("{} nodes from {}", net.nodes.size(), path.filename().string());
+  if (options.scale != 1.0) net.layout += fmt::format(", times {}", options.scale);
+  for (const std::string& remark : {read.left_out, heights.left_out(path.string())})
+    if (!remark.empty()) net.remarks.push_back(remark);
 }
 
-SpringFile read_spring_file(const std::filesystem::path& path, const Net& net) {
-  const std::vector<SpringEntry> entries = spring_entries(path);
+SpringFile read_spring_file(const std::filesystem::path& path, Net& net, const TableOptions& options) {
+  const Entries<SpringEntry> read = read_spring_entries(path, options);
+  const std::vector<SpringEntry>& entries = read.list;
   if (entries.empty()) throw InputError({path.string(), 0}, "the file has no springs");
+  refuse_too_few_groups(entries);
   const NodeNames names(net);
+  const double size = bounding_box(net.nodes).size();
   std::map<std::pair<std::size_t, std::size_t>, Source> seen;
   SpringFile file;
   for (const SpringEntry& entry : entries) {
@@ -185,9 +121,11 @@ SpringFile read_spring_file(const std::filesystem::path& path, const Net& net) {
       throw InputError(entry.source, fmt::format("spring ({}, {}) stands twice; the other one: {}", entry.first,
                                                  entry.second, earlier->second.text()));
     file.springs.push_back(make_spring(net.nodes, i, j));
+    require_rest_length(entry, file.springs.back(), options.scale, size);
     if (!entry.group.empty()) file.groups.push_back(entry.group);
   }
   file.stiffness = all_or_none(entries, &SpringEntry::stiffness, "stiffness", false);
+  if (!read.left_out.empty()) net.remarks.push_back(read.left_out);
   return file;
 }
 

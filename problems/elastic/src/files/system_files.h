@@ -3,11 +3,12 @@
 
 /// Nodes and springs brought from elsewhere: CSV tables, or a system file as `nodal fit --export` writes it.
 ///
-/// nodes    CSV columns x, y [m]; node (an integer that names it; 0, 1, 2, … down the file without), mass [kg].
+/// nodes    CSV columns x, y [m]; node (an integer that names it; 0, 1, 2, … down the file without), mass [kg], z (one
+///          for all: left out, which Net::remarks tells).
 /// springs  CSV columns first, second (nodes by name); stiffness [N/m], group (a text; springs of one group share one
-///          parameter).
-/// system   JSON: {"nodes": [{"node": i, "x": x, "y": y, "mass": m}, …], "springs": [{"nodes": [i, j],
-///          "stiffness": k}, …]}; "node", "mass" and "stiffness" may be left out.
+///          parameter), length (refused unless it is the distance of the nodes).
+/// system   JSON with the same: system_json.h.
+/// TableOptions say what CSV columns are called, and in which unit the file's lengths are.
 /// Errors   InputError with file and line.
 
 #include <filesystem>
@@ -16,11 +17,13 @@
 
 #include <nodal/elastic/net.h>
 
+#include "files/table_options.h"
+
 namespace nodal::elastic {
 
-/// Fills nodes, ids, masses and layout of a net. Refused: a node that stands twice by name or by place, a mass that is
-/// negative or given for some nodes only.
-void read_node_file(const std::filesystem::path& path, Net& net);
+/// Fills nodes, ids, masses, layout and remarks of a net. Refused: a node that stands twice by name or by place, a mass
+/// that is negative or given for some nodes only, several z.
+void read_node_file(const std::filesystem::path& path, Net& net, const TableOptions& options = {});
 
 struct SpringFile {
   std::vector<Spring> springs;
@@ -28,8 +31,10 @@ struct SpringFile {
   std::vector<std::string> groups;  ///< [springs]; empty when the file has none
 };
 
+/// Columns that are left out are added to the net's remarks.
 /// Refused: a node that the net doesn't have, a spring from a node to itself, one that stands twice, a stiffness that
-/// is no positive number or given for some springs only.
-[[nodiscard]] SpringFile read_spring_file(const std::filesystem::path& path, const Net& net);
+/// is no positive number, a stiffness or group given for some springs only, a length that isn't the nodes' distance.
+[[nodiscard]] SpringFile read_spring_file(const std::filesystem::path& path, Net& net,
+                                          const TableOptions& options = {});
 
 }  // namespace nodal::elastic

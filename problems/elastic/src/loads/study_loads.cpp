@@ -133,6 +133,8 @@ OptionSchema reference_fields() {
       {.name = "file",
        .type = OptionType::text,
        .help = "measured displacements: CSV with columns load, node (or x, y), ux, uy, weight"},
+      columns_option({"load", "node", "x", "y", "ux", "uy", "weight"}),
+      scale_option("the file's displacements and places"),
   };
 }
 
@@ -157,6 +159,9 @@ void read_loads(const Options& problem, const ProblemContext& context, Scene& sc
   if (method == "analytic" && reference.has("file"))
     throw InputError(reference.at("file").source, "method = 'analytic' takes no 'file'");
   if (!reference.has("file")) {
+    for (const char* key : {"columns", "scale"})
+      if (reference.has(key))
+        throw InputError(reference.at(key).source, fmt::format("'{}' in 'reference' belongs to a 'file'", key));
     if (method == "file") throw InputError(reference.values().source, "method = 'file' needs a 'file'");
     if (own)
       throw InputError(
@@ -167,8 +172,8 @@ void read_loads(const Options& problem, const ProblemContext& context, Scene& sc
   }
   std::vector<std::string> names;
   for (const LoadCase& load : scene.loads.loads) names.push_back(load.name);
-  const std::vector<MeasuredLoad> measured =
-      read_displacement_file(context.directory / reference.text("file"), scene.net, names);
+  const std::vector<MeasuredLoad> measured = read_displacement_file(context.directory / reference.text("file"),
+                                                                    scene.net, names, read_table_options(reference));
   for (std::size_t l = 0; l < cases.size(); ++l)
     hold_as_measured(cases[l], measured[l], scene.net, scene.loads.groups[l]);
   apply_measurements(measured, scene.loads);

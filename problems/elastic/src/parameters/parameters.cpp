@@ -206,7 +206,7 @@ void Parameters::coordinates(std::span<const double> stiffness, std::span<double
   for (std::size_t g = 0; g < size(); ++g) coordinates[g] = mean_logarithm(springs_of(g), stiffness);
 }
 
-void Parameters::tie(std::span<double> stiffness) const {
+void Parameters::average(std::span<double> stiffness) const {
   for (std::size_t g = 0; g < size(); ++g) {
     const std::span<const std::size_t> springs = springs_of(g);
     if (all_equal(springs, stiffness)) continue;

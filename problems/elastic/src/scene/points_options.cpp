@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "files/table_options.h"
 #include "scene/read_points.h"
 
 namespace nodal::elastic {
@@ -90,6 +91,8 @@ OptionSchema points_fields() {
        .type = OptionType::text,
        .help = "nodes of your own: CSV with columns x, y and if you like node (a number that names it) and mass, or a "
                "system file as 'nodal fit --export' writes it"},
+      columns_option({"node", "x", "y", "mass"}),
+      scale_option("of a file: its coordinates"),
   };
 }
 

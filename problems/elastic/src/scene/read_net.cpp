@@ -74,8 +74,12 @@ StudyNet read_net(const Options& problem, const ProblemContext& context, const B
   StudyPoints points = read_points(problem, context, body);
   StudyNet read{std::move(points.net), {}, {}};
   Net& net = read.net;
+  if (springs.has("columns") && !springs.has("file"))
+    throw InputError(springs.at("columns").source, "'columns' belongs to a 'file' of springs");
   if (springs.has("file")) {
-    SpringFile file = read_spring_file(context.directory / springs.text("file"), net);
+    TableOptions options = read_table_options(springs);
+    options.scale = read_table_options(problem.table("points")).scale;  // lengths are in the nodes' unit
+    SpringFile file = read_spring_file(context.directory / springs.text("file"), net, options);
     net.topology = fmt::format("from {}", springs.text("file"));
     net.grid = {};
     net.triangles.clear();

@@ -46,6 +46,8 @@ const std::vector<LayoutKey>& layout_keys() {
       {"iterations", {"voronoi"}},
       {"tolerance", {"voronoi"}},
       {"file", {"file"}},
+      {"columns", {"file"}},
+      {"scale", {"file"}},
   };
   return keys;
 }
@@ -257,7 +259,7 @@ StudyPoints read_points(const Options& problem, const ProblemContext& context, c
     if (!points.has("file")) throw InputError(points.values().source, "layout 'file' needs a 'file' with the nodes");
     StudyPoints read;
     read.net.body = body;
-    read_node_file(context.directory / points.text("file"), read.net);
+    read_node_file(context.directory / points.text("file"), read.net, read_table_options(points));
     find_border(read.net);
     return read;
   }

@@ -2,6 +2,7 @@
 #include "scene/require_rigid.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -54,6 +55,17 @@ std::vector<std::string> loads_of(const LoadSet& loads, std::size_t group) {
   return names;
 }
 
+// What would hold a net that isn't rigid whatever holds it.
+std::string advice(const Net& net, const std::vector<std::size_t>& moving) {
+  std::vector<bool> joined(net.nodes.size(), false);
+  for (const Spring& spring : net.springs) joined[spring.first] = joined[spring.second] = true;
+  std::vector<std::size_t> alone;
+  std::ranges::copy_if(moving, std::back_inserter(alone), [&](std::size_t node) { return !joined[node]; });
+  if (alone.empty()) return "join them by more springs, or look at it with --picture";
+  return fmt::format("no spring ends at node{} {}: join {}, or leave {} out", alone.size() == 1 ? "" : "s",
+                     named(net, alone), alone.size() == 1 ? "it" : "them", alone.size() == 1 ? "it" : "them");
+}
+
 }  // namespace
 
 bool is_rigid(const std::vector<Point>& nodes, const std::vector<Spring>& springs, const LoadSet& loads) {
@@ -77,7 +89,7 @@ void require_rigid(const Net& net, const LoadSet& loads, const Source& source) {
                     found.mechanisms == 1 ? "a motion" : fmt::format("{} motions", found.mechanisms),
                     found.mechanisms == 1 ? "s" : "", found.moving.size() == 1 ? "" : "s", named(net, found.moving),
                     rigid ? "the supports don't hold a rigid body: hold three displacements at least"
-                          : "join them by more springs, or look at it with --picture"),
+                          : advice(net, found.moving)),
         net, found.motions.empty() ? std::vector<double>(2 * net.nodes.size(), 0.0) : found.motions.front());
   }
 }

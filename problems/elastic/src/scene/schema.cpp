@@ -4,6 +4,7 @@
 
 #include "body/body_options.h"
 #include "cholesky.h"
+#include "files/table_options.h"
 #include "loads/study_loads.h"
 #include "scene/read_masses.h"
 #include "scene/read_parameters.h"
@@ -48,6 +49,7 @@ OptionSchema springs_fields() {
   return {
       {.name = "file", .type = OptionType::text,
        .help = "springs of your own: CSV with columns first, second (the nodes) and if you like stiffness, group; or a system file"},
+      columns_option({"first", "second", "stiffness", "length", "group"}),
       {.name = "topology", .type = OptionType::text,
        .default_text = "crossed on a grid, triangular on a triangular one, else delaunay",
        .help = "single, alternating or crossed for grids (grid, without diagonals, is refused as a mechanism), triangular; for any "

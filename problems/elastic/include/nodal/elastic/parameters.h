@@ -75,7 +75,7 @@ class Parameters {
   /// k_e = stiffness_at(x_g).
   void stiffness(std::span<const double> coordinates, std::span<double> stiffness) const;
   /// Every spring gets the geometric mean of its group, whatever the bounds; exactly what it had where all are equal.
-  void tie(std::span<double> stiffness) const;
+  void average(std::span<double> stiffness) const;
   /// x_g = ln of the geometric mean of the group's stiffnesses; ln k, without another rounding, where all are equal.
   void coordinates(std::span<const double> stiffness, std::span<double> coordinates) const;
   /// ∂/∂x_g = Σ_{e in g} k_e ∂/∂k_e. `by_spring` holds ∂/∂k_e.

@@ -29,7 +29,7 @@ namespace nodal::elastic {
 [[nodiscard]] std::vector<double> lattice_stiffness(const Net& net, const Material& material);
 
 /// Reads the springs of a system file, {"springs": [{"nodes": [i, j], "stiffness": k}, …]}, in any order; nodes by what
-/// the net calls them. What else the file holds is not looked at.
+/// the net calls them. Other keys than a system file's are refused; only stiffnesses are taken.
 /// InputError for a missing, doubled or unknown spring, or a stiffness that is not a positive number.
 [[nodiscard]] std::vector<double> read_stiffness_file(const std::filesystem::path& path, const Net& net);
 
