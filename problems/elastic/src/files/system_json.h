@@ -14,12 +14,11 @@
 #include <string_view>
 #include <vector>
 
+#include <nodal/elastic/stiffness.h>
+
 #include "files/system_entries.h"
 
 namespace nodal::elastic {
-
-/// The newest schema that this build reads, and writes.
-inline constexpr std::int64_t kSystemSchema = 1;
 
 struct SystemJson {
   bool has_nodes = false, has_springs = false;
