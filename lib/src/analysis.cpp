@@ -6,6 +6,10 @@
 #include <limits>
 #include <stdexcept>
 
+#include <nodal/agreement.h>
+
+#include "known_quality.h"
+
 namespace nodal {
 
 namespace {
@@ -71,18 +75,27 @@ ProblemReference reference_of(const std::string& label, const std::optional<Know
   return reference;
 }
 
-// Where a trial first had gap ≤ the given one; the gap is measured from the trial's own start.
-std::optional<double> reached(const TrialRecord& record, double best_quality, double gap, Axis axis) {
-  if (!record.start.quality) return std::nullopt;
-  return first_reached(record, best_quality + gap * (*record.start.quality - best_quality), axis);
+// A trial that began at the best known, as well as that is known, or at a perfect fit: no gap is left to measure.
+bool began_there(const TrialRecord& record, const ProblemReference& reference) {
+  const double best = reference.best_quality;
+  if (record.start.cost && std::abs(*record.start.cost) <= kPerfectCost) return true;
+  return *record.start.quality <= best + (reference.provisional ? measured_to(best) : known_to(best));
 }
 
-TargetRow target_row(std::span<const TrialRecord* const> trials, double best_quality, double gap) {
+// Where a trial first had gap ≤ the given one; the gap is measured from the trial's own start.
+std::optional<double> reached(const TrialRecord& record, const ProblemReference& reference, double gap, Axis axis) {
+  if (!record.start.quality) return std::nullopt;
+  if (began_there(record, reference) && !record.trace.empty()) return position(record, record.trace.front(), axis);
+  const double best = reference.best_quality;
+  return first_reached(record, best + gap * (*record.start.quality - best), axis);
+}
+
+TargetRow target_row(std::span<const TrialRecord* const> trials, const ProblemReference& reference, double gap) {
   TargetRow row;
   row.gap = gap;
   for (std::size_t a = 0; a < kAxes.size(); ++a) {
     std::vector<std::optional<double>> when;
-    for (const TrialRecord* trial : trials) when.push_back(reached(*trial, best_quality, gap, kAxes[a]));
+    for (const TrialRecord* trial : trials) when.push_back(reached(*trial, reference, gap, kAxes[a]));
     row.median[a] = median_or_never(when);
     if (!when.empty())
       row.success_rate = static_cast<double>(std::ranges::count_if(when, [](const auto& w) { return w.has_value(); })) /
@@ -91,7 +104,8 @@ TargetRow target_row(std::span<const TrialRecord* const> trials, double best_qua
   return row;
 }
 
-OptimizerRow make_row(const RowRequest& request, std::span<const TrialRecord* const> trials, double best_quality) {
+OptimizerRow make_row(const RowRequest& request, std::span<const TrialRecord* const> trials,
+                      const ProblemReference& reference) {
   OptimizerRow row;
   row.label = request.label;
   row.use = request.use;
@@ -117,7 +131,7 @@ OptimizerRow make_row(const RowRequest& request, std::span<const TrialRecord* co
   row.seconds = quartiles_of(trials, count([](const TrialRecord& t) { return t.seconds.total; }));
   row.work = quartiles_of(trials, count([](const TrialRecord& t) { return end_position(t, Axis::work); }));
   for (std::size_t i = 0; i < kTargetGaps.size(); ++i)
-    row.targets[i] = target_row(trials, best_quality, kTargetGaps[i]);
+    row.targets[i] = target_row(trials, reference, kTargetGaps[i]);
   return row;
 }
 
@@ -208,7 +222,7 @@ ProblemTable make_table(const std::string& problem_label, std::optional<KnownOpt
     std::vector<const TrialRecord*> own;
     std::ranges::copy_if(trials, std::back_inserter(own),
                          [&](const TrialRecord* t) { return t->optimizer == request.label; });
-    table.rows.push_back(make_row(request, own, table.reference.best_quality));
+    table.rows.push_back(make_row(request, own, table.reference));
   }
   set_multiples(table.rows);
   return table;

@@ -6,7 +6,7 @@
 #include <cstring>
 #include <stdexcept>
 
-#include "full_evaluation_moves.h"
+#include "work_clock.h"
 
 namespace nodal {
 
@@ -16,28 +16,7 @@ constexpr std::size_t kTraceKept = 2000;            // as a record promises
 constexpr std::size_t kTraceRoom = 2 * kTraceKept;  // thinned whenever it is full, so that nothing is ever allocated
 constexpr double kSampleEverySeconds = 1e-4;
 constexpr std::int64_t kLongestStride = 1024;
-constexpr std::int64_t kAcceptTimedOneIn = 8;  // an accepted move can be as cheap as a microsecond
 constexpr std::size_t kNoCoordinate = static_cast<std::size_t>(-1);
-
-double seconds_between(Meter::Clock::time_point a, Meter::Clock::time_point b) {
-  return std::chrono::duration<double>(b - a).count();
-}
-
-// Adds the time of its scope, as many times as it stands for, to what the problem has taken: for work that is no
-// evaluation, as derivatives at the last point, products and accepted moves.
-class WorkClock {
- public:
-  explicit WorkClock(double& seconds, std::int64_t stands_for = 1)
-      : seconds_(seconds), stands_for_(static_cast<double>(stands_for)), began_(Meter::Clock::now()) {}
-  ~WorkClock() { seconds_ += stands_for_ * seconds_between(began_, Meter::Clock::now()); }
-  WorkClock(const WorkClock&) = delete;
-  WorkClock& operator=(const WorkClock&) = delete;
-
- private:
-  double& seconds_;
-  double stands_for_;
-  Meter::Clock::time_point began_;
-};
 
 }  // namespace
 
@@ -67,6 +46,7 @@ Meter::Meter(const Problem& problem, Evaluator& evaluator, std::span<const doubl
       limits_(limits),
       began_(began),
       best_x_(space_.size()),
+      confirmed_{best_cost_, std::vector<double>(space_.size()), best_evaluation_, {}},
       last_x_(space_.size()) {
   if (start.size() != space_.size())
     throw std::invalid_argument("Meter: the start has the wrong number of coordinates");
@@ -142,6 +122,15 @@ void Meter::improve(std::span<const double> x, double cost, std::size_t changed,
     stop_ = Stop::seconds;
     return;
   }
+  if (!inside(x, changed, changed_value)) return;
+  const bool priced = changed != kNoCoordinate && !adapter_;
+  if (priced && !best_priced_) {
+    confirmed_.cost = best_cost_;
+    confirmed_.evaluation = best_evaluation_;
+    std::ranges::copy(best_x_, confirmed_.x.begin());
+    if (!trace_.empty()) confirmed_.point = trace_.back();
+  }
+  best_priced_ = priced;
   best_cost_ = cost;
   best_evaluation_ = counts_.evaluations;
   std::ranges::copy(x, best_x_.begin());
@@ -149,7 +138,18 @@ void Meter::improve(std::span<const double> x, double cost, std::size_t changed,
   if (trace_.size() == kTraceRoom) thin_trace(trace_, kTraceKept);
   const double quality = problem_.quality(cost);
   trace_.push_back({counts_.evaluations, seconds, evaluator_.work().factorizations, quality});
-  if (quality <= target_quality_) stop_ = Stop::target;
+  if (quality <= target_quality_ && (confirm_best() || problem_.quality(best_cost_) <= target_quality_))
+    stop_ = Stop::target;
+}
+
+bool Meter::inside(std::span<const double> x, std::size_t changed, double changed_value) {
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const double value = i == changed ? changed_value : x[i];
+    if (space_.lower()[i] <= value && value <= space_.upper()[i]) continue;
+    if (!outside_) outside_ = OutsidePoint{counts_.evaluations, i, value};
+    return false;
+  }
+  return true;
 }
 
 bool Meter::at_last_point(std::span<const double> x) const noexcept {
@@ -253,86 +253,6 @@ Status Meter::jacobian_product(std::span<const double> v, std::span<double> jv) 
 
 Status Meter::jacobian_transposed_product(std::span<const double> w, std::span<double> jtw) {
   return product([&] { return evaluator_.jacobian_transposed_product(w, jtw); });
-}
-
-MeteredMoves& Meter::moves() {
-  if (!moves_) {
-    Moves* own = evaluator_.moves();
-    if (!own) {
-      adapter_ = std::make_unique<FullEvaluationMoves>(evaluator_, space_.size());
-      own = adapter_.get();
-    }
-    moves_.reset(new MeteredMoves(*this, *own));
-  }
-  return *moves_;
-}
-
-std::optional<MovesReport> Meter::moves_report() const {
-  if (!moves_) return std::nullopt;
-  MovesReport report = moves_->moves_->report();
-  if (report.choices.empty()) return std::nullopt;
-  return report;
-}
-
-std::optional<double> Meter::drift() const {
-  const std::optional<double> own = moves_ ? moves_->moves_->report().drift : std::nullopt;
-  if (!own || !start_.ok() || !(start_.cost > 0.0)) return drift_;
-  return std::max(drift_.value_or(0.0), *own / start_.cost);
-}
-
-void Meter::note_drift(double expected, const Evaluation& fresh) {
-  if (!fresh.ok() || !start_.ok() || !(start_.cost > 0.0)) return;
-  drift_ = std::max(drift_.value_or(0.0), std::abs(expected - fresh.cost) / start_.cost);
-}
-
-Evaluation MeteredMoves::reset(std::span<const double> x) {
-  // A walk evaluates on its own account: the evaluator's last point may be another now.
-  meter_->last_.status = Status::invalid_input;
-  const WorkClock clock(meter_->evaluation_seconds_);
-  Evaluation result = moves_->reset(x);
-  if (result.ok() && !std::isfinite(result.cost)) result.status = Status::invalid_input;
-  meter_->walk_cost_ = result.cost;
-  return result;
-}
-
-Evaluation MeteredMoves::propose(std::size_t i, double value) {
-  Meter& meter = *meter_;
-  if (!meter.admit()) return {Status::budget_spent, 0.0};
-  ++meter.counts_.proposed;
-  meter.last_.status = Status::invalid_input;  // the adapter prices by full evaluations
-  Evaluation result = moves_->propose(i, value);
-  if (meter.sampling_) [[unlikely]]
-    meter.end_sample();
-  if (result.ok() && !std::isfinite(result.cost)) [[unlikely]]
-    result.status = Status::invalid_input;
-  if (!result.ok()) [[unlikely]] {
-    ++meter.failed_;
-  } else {
-    meter.proposed_cost_ = result.cost;
-    if (result.cost < meter.best_cost_) meter.improve(moves_->current_point(), result.cost, i, value);
-  }
-  return result;
-}
-
-Status MeteredMoves::accept() {
-  std::optional<WorkClock> clock;
-  if (meter_->counts_.accepted % kAcceptTimedOneIn == 0) clock.emplace(meter_->evaluation_seconds_, kAcceptTimedOneIn);
-  const Status status = moves_->accept();
-  clock.reset();
-  if (status == Status::ok) {
-    ++meter_->counts_.accepted;
-    meter_->walk_cost_ = meter_->proposed_cost_;
-  }
-  return status;
-}
-
-Evaluation MeteredMoves::resync() {
-  meter_->last_.status = Status::invalid_input;
-  const WorkClock clock(meter_->evaluation_seconds_);
-  const Evaluation fresh = moves_->resync();
-  meter_->note_drift(meter_->walk_cost_, fresh);
-  if (fresh.ok()) meter_->walk_cost_ = fresh.cost;
-  return fresh;
 }
 
 }  // namespace nodal

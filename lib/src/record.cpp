@@ -95,6 +95,7 @@ void describe(Archive& archive, T& moves) {
   archive.field("choices", moves.choices);
   archive.field("more_choices", moves.more_choices);
   archive.field("checks", moves.checks);
+  archive.field("taken_back", moves.taken_back);
 }
 
 template <class Archive, class T>

@@ -8,7 +8,11 @@
 #include <exception>
 #include <stdexcept>
 
+#include <nodal/agreement.h>
+
+#include "known_quality.h"
 #include "multi_start.h"
+#include "trial_audit.h"
 
 namespace nodal {
 
@@ -32,11 +36,6 @@ double thread_cpu_seconds() {
   timespec now{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
-PointSummary summarize(const Problem& problem, const Evaluation& evaluation) {
-  if (!evaluation.ok()) return {};
-  return {evaluation.cost, problem.quality(evaluation.cost), problem.relative_error(evaluation.cost)};
 }
 
 TrialRecord blank_record(const Study& study, const Trial& trial) {
@@ -78,8 +77,7 @@ class Run {
     const std::vector<double> start = trial_start(study_, trial_);
     Meter meter(problem_, *evaluator, start, limits(), began);
     record_.flops_per_value = evaluator->work().flops;
-    record_.start = summarize(problem_, meter.start());
-    if (record_.start.quality) meter.set_target(target_quality(study_, trial_, *record_.start.quality));
+    set_target(meter);
 
     const double search_began = since();
     const Outcome outcome = search(meter, start);
@@ -87,7 +85,9 @@ class Run {
 
     record_.work = evaluator->work();
     note_end(meter, outcome);
-    note_best(meter, *evaluator);
+    TrialAudit audit(problem_, *evaluator, meter, record_);
+    audit.note_start(start);
+    audit.note_best();
     note_claim(meter, outcome);
     const double search_seconds = search_ended - search_began;
     record_.seconds.total = since();
@@ -103,6 +103,15 @@ class Run {
     if (study_.budget.seconds) limits.seconds = *study_.budget.seconds;
     if (study_.budget.evaluations) limits.evaluations = *study_.budget.evaluations;
     return limits;
+  }
+
+  // A start that is a perfect fit, as far as races can tell, is at its target.
+  void set_target(Meter& meter) const {
+    if (!meter.start().ok()) return;
+    const double quality = problem_.quality(meter.start().cost);
+    const double target = target_quality(study_, trial_, quality);
+    const bool perfect = std::isfinite(target) && std::abs(meter.start().cost) <= kPerfectCost;
+    if (std::isfinite(quality)) meter.set_target(perfect ? std::max(target, quality) : target);
   }
 
   // An exception must not lose what the meter has seen: it ends the search, not the record.
@@ -146,39 +155,13 @@ class Run {
       record_.end = End::failed;
       record_.reason = outcome.reason;
     }
-    for (const auto& [key, value] : outcome.effective_options.table()) record_.options.set(key, value);
+    for (const auto& [key, value] : outcome.effective_options.table())
+      record_.options.set(key, value.is_number() && !std::isfinite(value.number()) ? Value("no number") : value);
     record_.counts = meter.counts();
     record_.moves = meter.moves_report();
     record_.trace = meter.trace();
+    std::erase_if(record_.trace, [](const TracePoint& p) { return !std::isfinite(p.quality); });
     thin_trace(record_.trace, 2000);
-  }
-
-  // The best is reported from a fresh, refined evaluation, not from what the race saw.
-  void note_best(const Meter& meter, Evaluator& evaluator) {
-    record_.health.refused = meter.failed_evaluations();
-    if (!meter.has_best()) {
-      if (record_.end == End::finished) record_.end = End::failed;
-      if (record_.reason.empty()) record_.reason = "no point had a finite cost";
-      return;
-    }
-    const std::span<const double> x = meter.best_point();
-    Evaluation audited = evaluator.audit(x);
-    record_.health = evaluator.health();
-    record_.health.refused = meter.failed_evaluations();
-    record_.health.drift = meter.drift();
-    if (audited.ok() && meter.start().ok() && meter.start().cost > 0.0) {
-      const double difference = std::abs(audited.cost - meter.best_cost()) / meter.start().cost;
-      record_.health.drift = std::max(record_.health.drift.value_or(0.0), difference);
-    }
-    if (!audited.ok()) {
-      record_.reason += std::string(record_.reason.empty() ? "" : "; ") + "a fresh evaluation of the best point is " +
-                        std::string(to_string(audited.status));
-      record_.end = End::failed;  // what the race saw is kept, but nothing vouches for it
-      audited = {Status::ok, meter.best_cost()};
-    }
-    record_.best = BestPoint{meter.best_evaluation(), summarize(problem_, audited), {x.begin(), x.end()},
-                             static_cast<std::int64_t>(problem_.space().at_bounds(x))};
-    record_.seconds.to_best = meter.trace().back().seconds;
   }
 
   void note_claim(const Meter& meter, const Outcome& outcome) {
@@ -256,7 +239,9 @@ std::string trial_key(const Study& study, const Trial& trial) {
 double target_quality(const Study& study, const Trial& trial, double start_quality) {
   const auto& best_known = study.problems.at(trial.problem).best_known;
   if (!study.budget.target_gap || !best_known) return -std::numeric_limits<double>::infinity();
-  return best_known->quality + *study.budget.target_gap * (start_quality - best_known->quality);
+  const double target = best_known->quality + *study.budget.target_gap * (start_quality - best_known->quality);
+  const bool there = start_quality <= best_known->quality + known_to(best_known->quality);
+  return there ? std::max(target, start_quality) : target;
 }
 
 TrialRecord run_trial(const Study& study, const Trial& trial, const Registry& registry) {

@@ -59,8 +59,10 @@ class AdaptiveWalk {
     const double width = space.upper()[i] - space.lower()[i];
     steps_[i] = std::clamp(steps_[i] * (taken ? larger_ : smaller_), kSmallestStep * width, width);
     if (!taken) return;
-    quality_ = quality;
-    if (quality_ >= best_) return;
+    const bool refuted = moves_.current_cost() != proposed.cost;
+    quality_ = refuted ? meter_.quality(moves_.current_cost()) : quality;
+    // What was priced before a refutation is no best either: this point is one.
+    if (quality_ >= best_ && !refuted) return;
     best_ = quality_;
     std::ranges::copy(moves_.current_point(), best_point_.begin());
   }
@@ -68,7 +70,7 @@ class AdaptiveWalk {
   // Back to the best point seen.
   bool return_to_best() {
     const Evaluation result = moves_.reset(best_point_);
-    if (result.ok()) quality_ = meter_.quality(result.cost);
+    if (result.ok()) best_ = quality_ = meter_.quality(result.cost);
     return result.ok();
   }
 
@@ -123,6 +125,7 @@ Outcome AdaptiveAnnealing::minimize(Meter& meter, std::span<const double> start,
       heat = temperature;
     } else if (++since_progress >= settings_.patience) {
       if (reheats++ == settings_.reheats || !walk.return_to_best()) break;
+      reference = std::max(reference, walk.best());
       heat *= 0.5;
       temperature = heat / settings_.reduction;
       since_progress = 0;

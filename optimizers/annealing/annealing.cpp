@@ -42,7 +42,8 @@ class Walk {
     const double quality = meter_.quality(proposed.cost);
     const Verdict verdict = judge(quality_, quality, temperature, random_);
     if (verdict == Verdict::rejected || moves_.accept() != Status::ok) return;
-    quality_ = quality;
+    // A walk that found its prices refuted says what its point costs.
+    quality_ = moves_.current_cost() == proposed.cost ? quality : meter_.quality(moves_.current_cost());
     ++(verdict == Verdict::good ? tally.good : tally.worse);
   }
 

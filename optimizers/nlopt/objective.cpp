@@ -4,10 +4,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include <nodal/agreement.h>
+
 namespace nodal::nlopt_methods {
 
 namespace {
 
+// A start whose cost changes by less than this share of itself per unit of any coordinate is a minimum that somebody wrote
+// down with four digits or more: a line search has nothing to gain there but rounding.
+constexpr double kLevelSlope = 1e-4;
 constexpr double kPenalty = 1e30;  // far above any cost, and its square is still finite
 
 double penalty(std::span<double> gradient) {
@@ -50,9 +55,26 @@ double Objective::evaluate(std::span<const double> x, std::span<double> gradient
   idle_ = meter_.counts().evaluations == before ? idle_ + 1 : 0;
   if (meter_.spent() || stuck()) stop();
   if (!result.ok()) return penalty(gradient);
+  if (std::isinf(first_) && !gradient.empty()) first_slope_ = steepest_slope(gradient);
   note(result.cost);
   for (double& slope : gradient) slope *= scale_;
   return result.cost * scale_;
+}
+
+// Of the ways that stay in the box.
+double Objective::steepest_slope(std::span<const double> gradient) const {
+  double steepest = 0.0;
+  for (std::size_t i = 0; i < gradient.size(); ++i) {
+    const bool leads_out = gradient[i] > 0.0 ? point_[i] <= meter_.space().lower()[i]  //
+                                             : point_[i] >= meter_.space().upper()[i];
+    if (!leads_out) steepest = std::max(steepest, std::abs(gradient[i]));
+  }
+  return steepest;
+}
+
+bool Objective::began_at_minimum() const noexcept {
+  return std::isfinite(first_) && std::isfinite(first_slope_) &&
+         (first_ <= kPerfectCost || first_slope_ <= kLevelSlope * std::abs(first_));
 }
 
 void Objective::note(double cost) {

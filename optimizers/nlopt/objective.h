@@ -35,6 +35,9 @@ class Objective {
   /// The first cost seen and the lowest one.
   [[nodiscard]] double first() const noexcept { return first_; }
   [[nodiscard]] double lowest() const noexcept { return lowest_; }
+  /// True when the first point leaves nothing to gain: a perfect fit, or a gradient that is level as far as the box
+  /// allows. False for methods that ask for no gradient.
+  [[nodiscard]] bool began_at_minimum() const noexcept;
   /// True when the library kept asking without asking for a new point, and was stopped for that.
   [[nodiscard]] bool stuck() const noexcept { return idle_ >= kMostIdle; }
 
@@ -44,6 +47,7 @@ class Objective {
 
   double evaluate(std::span<const double> x, std::span<double> gradient);
   void note(double cost);
+  [[nodiscard]] double steepest_slope(std::span<const double> gradient) const;
   void stop() noexcept;
 
   Meter& meter_;
@@ -56,6 +60,7 @@ class Objective {
   int idle_ = 0;
   double first_ = std::numeric_limits<double>::infinity();
   double lowest_ = std::numeric_limits<double>::infinity();
+  double first_slope_ = std::numeric_limits<double>::infinity();  // stays so without gradients
 };
 
 }  // namespace nodal::nlopt_methods

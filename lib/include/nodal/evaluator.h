@@ -43,7 +43,7 @@ struct Health {
   std::optional<double> error_estimate;  ///< relative size of the first refinement step of the final solve
   std::optional<double> cost_error;      ///< the refined cost is within this of the exact one at the same doubles
   std::optional<double> residual;        ///< backward error after refinement, ‖f − Ku‖/(‖f‖ + ‖|K||u|‖)
-  std::optional<double> drift;           ///< largest difference of priced and fresh cost, in units of the start's cost
+  std::optional<double> drift;           ///< largest relative_drift() of a cost that the race saw (agreement.h)
   std::optional<double> spread;          ///< k_max / k_min at the best point
   std::int64_t refused = 0;              ///< evaluations that returned another status than ok or budget_spent
 };
@@ -52,7 +52,7 @@ class Evaluator {
  public:
   virtual ~Evaluator() = default;
 
-  /// The cost at x, as accurate as a race needs.
+  /// The cost at x, as accurate as a race needs (agreement.h).
   virtual Evaluation value(std::span<const double> x) = 0;
   /// The cost at x as it is reported: refined as far as double precision goes; fills `health()`.
   virtual Evaluation audit(std::span<const double> x) { return value(x); }

@@ -9,6 +9,10 @@
 ///   one proposal priced. A derivative or product at the last point is none; accept, reset, resync and audits are none.
 /// After the budget nothing is evaluated: `budget_spent` is returned and the refused call counted. A cost that is not a
 /// finite number becomes `invalid_input`. Exceptions of the problem pass through unchanged.
+/// The best point is one of the box: a better cost outside of it is noted and not taken. A best that a walk has only
+/// priced is confirmed by a full evaluation, which is not counted, before it ends a trial at its target, and whenever a
+/// fresh evaluation of the walk refutes its prices (agreement.h). If it is refuted itself, it is taken back: the best and
+/// the trace are again what they were when last confirmed, and the trial goes on.
 ///
 /// Cost     a value that triggers nothing: under 40 ns, no allocation. The clock is not read at every evaluation but
 ///          about every 0.1 ms, so that it stays below 1 % of cheap evaluations; time spent in evaluations is sampled
@@ -56,6 +60,13 @@ struct TracePoint {
   double quality = 0.0;
 };
 
+/// A cost that would have been the best, at a point outside the box.
+struct OutsidePoint {
+  std::int64_t evaluation = 0;
+  std::size_t coordinate = 0;  ///< the first that leaves its bounds, or is no number
+  double value = 0.0;
+};
+
 /// Keeps at most `most` points, evenly spaced in the logarithm of the evaluation; the first and the last stay, and of
 /// each interval the best.
 void thin_trace(std::vector<TracePoint>& trace, std::size_t most);
@@ -69,6 +80,8 @@ class MeteredMoves {
   Evaluation propose(std::size_t i, double value);
   [[nodiscard]] Status accept();
   [[nodiscard]] std::span<const double> current_point() const { return moves_->current_point(); }
+  /// Of the current point: as it was priced, unless a fresh evaluation during accept() has refuted that.
+  [[nodiscard]] double current_cost() const noexcept;
   Evaluation resync();
 
  private:
@@ -124,8 +137,10 @@ class Meter {
   [[nodiscard]] const Counts& counts() const noexcept { return counts_; }
   /// Evaluations that returned another status than ok.
   [[nodiscard]] std::int64_t failed_evaluations() const noexcept { return failed_; }
-  /// The largest difference between a priced and a fresh cost that a resync of the walk, or the walk itself, has found,
-  /// relative to the cost at the start (relative to itself it would say nothing near a perfect fit).
+  /// The first better point that was outside the box.
+  [[nodiscard]] const std::optional<OutsidePoint>& outside() const noexcept { return outside_; }
+  /// The largest difference between a priced and a fresh cost that a resync of the walk, or the walk itself, has found:
+  /// relative_drift() of agreement.h.
   [[nodiscard]] std::optional<double> drift() const;
   /// What the walk says of itself, when there was one and it has something to say.
   [[nodiscard]] std::optional<MovesReport> moves_report() const;
@@ -155,6 +170,10 @@ class Meter {
   // What every evaluation ends with: sanitizes the result and looks whether it is an improvement.
   Evaluation settle(Evaluation result, std::span<const double> x);
   void improve(std::span<const double> x, double cost, std::size_t changed, double changed_value);
+  bool inside(std::span<const double> x, std::size_t changed, double changed_value);
+  void look_again();
+  bool confirm_best();
+  void take_back(const Evaluation& fresh);
   bool at_last_point(std::span<const double> x) const noexcept;
   void keep_last_point(std::span<const double> x, const Evaluation& result);
   void note_drift(double expected, const Evaluation& fresh);
@@ -174,7 +193,18 @@ class Meter {
   double best_cost_ = std::numeric_limits<double>::infinity();
   std::vector<double> best_x_;
   std::int64_t best_evaluation_ = -1;
+  bool best_priced_ = false;  // and not confirmed by a full evaluation
   std::vector<TracePoint> trace_;
+  std::optional<OutsidePoint> outside_;
+
+  // The best before those that were only priced.
+  struct Confirmed {
+    double cost;
+    std::vector<double> x;
+    std::int64_t evaluation;
+    TracePoint point;
+  } confirmed_;
+  std::int64_t contradictions_ = 0, taken_back_ = 0;
 
   std::vector<double> last_x_;
   Evaluation last_;
@@ -191,5 +221,7 @@ class Meter {
   double proposed_cost_ = 0.0;
   std::optional<double> drift_;
 };
+
+inline double MeteredMoves::current_cost() const noexcept { return meter_->walk_cost_; }
 
 }  // namespace nodal

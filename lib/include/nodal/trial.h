@@ -33,6 +33,7 @@ struct Trial {
 [[nodiscard]] std::vector<double> trial_start(const Study& study, const Trial& trial);
 
 /// The quality that ends a trial (gap ≤ target_gap), given the quality at its start; −∞ without a target.
+/// A start that is as good as the best known, to the digits that this is given with, is there.
 [[nodiscard]] double target_quality(const Study& study, const Trial& trial, double start_quality);
 
 /// Runs it in this thread. Fresh evaluator, meter and optimizer. Exceptions become a record with end `failed`.

@@ -15,6 +15,7 @@
 ///     price      G'² = G² + Σ α(αR_e − 2t_e)
 ///     accept     q̂ = b_f·ẑ, ρ̂ = b_f·K'⁻¹Wẑ, κ = σ/δ, with Q_e, R_e, t_e, v_e as they were:
 ///                Q −= κq̂²,  R −= q̂(R_e q̂ + 2κρ̂),  t −= v_e ρ̂ + t_e q̂,  v −= v_e q̂.
+/// For the changed spring itself Q = q̂/δ and R = ρ̂/δ (f = e), and R_e above is σ² times that.
 /// (The derivation: docs/formulation.md. In terms of the changed system's solutions nothing is divided by
 /// σ, and one factor serves.)
 ///
@@ -28,10 +29,11 @@
 
 namespace nodal::elastic {
 
-/// What a priced change would do to G². `possible` is false when K would no longer be positive definite.
+/// What a priced change would do to G². `trusted` is false when K would hardly be positive definite any more, or not at
+/// all: σ ≤ 1e-5 for some group.
 struct LanePrice {
   double change = 0.0;
-  bool possible = false;
+  bool trusted = false;
 };
 
 /// What became of a factorization. `failed` is the elimination position whose pivot is not positive definite.

@@ -10,6 +10,9 @@ namespace nodal::elastic::NODAL_LANE_NAMESPACE {
 
 namespace {
 
+// Below this σ = 1 + δQ, a difference of two numbers near 1, has lost too many of its digits to price by.
+constexpr double kLeastSigma = 1e-5;
+
 template <int G>
 LanePrice price(const LaneView& view, const double* row, double change) {
   const Lane<G> sigma = Lane<G>::all(1.0) + Lane<G>::load(row) * change;
@@ -22,7 +25,7 @@ LanePrice price(const LaneView& view, const double* row, double change) {
     sum = sum + alpha * (alpha * r - Lane<G>::load(at) * 2.0);
     at += 2 * G;
   } while (at != end);
-  return {sum.sum(), sigma.positive()};
+  return {sum.sum(), sigma.above(kLeastSigma)};
 }
 
 template <int G>
@@ -54,15 +57,27 @@ inline Pair<G> elongations(const LaneSpring& s, const double* u) {
   return both<G>(x_of<G>(d)) * s.dx + both<G>(y_of<G>(d)) * s.dy;
 }
 
+// σ = 1 + δQ of the changed spring, from whichever of δ, Q before and q̂ = δQ' after the change loses no digits.
+template <int G>
+Lane<G> sigma_of(double change, const Lane<G>& q_before, const Lane<G>& q_after) {
+  const Lane<G> one = Lane<G>::all(1.0);
+  return change < 0.0 ? one / (one - q_after) : one + q_before * change;
+}
+
 // A row of the list is read as pairs (Q, R) and (t, v), so that one register takes two of the four updates.
+//
+// What the changed spring brings into the other rows, and its own new row, come from the factor's solutions, not from its
+// old row: taken from there an error in Q would grow by 1/σ with every softening, and a spring that goes soft and stiff
+// by turns would make noise of the whole list.
 template <int G>
 void update_table(const LaneView& view, Index spring, double change, double* table) {
   const std::size_t stride = table_stride(view.slots, G);
-  // The changed spring's own row changes with the others: keep it as it was.
-  const double* own = table + stride * spring;
-  const Lane<G> zero = Lane<G>::all(0.0), q_own = Lane<G>::load(own), r_own = Lane<G>::load(own + G);
-  const Lane<G> kappa = (Lane<G>::all(1.0) + q_own * change) / Lane<G>::all(change);
-  const Pair<G> kappa_r = pair_of<G>(kappa, r_own), zero_kappa = pair_of<G>(zero, kappa * 2.0);
+  double* own = table + stride * spring;
+  const Lane<G> zero = Lane<G>::all(0.0), delta = Lane<G>::all(change);
+  const Lane<G> q_own = elongation<G>(view.spring[spring], view.z), rho_own = elongation<G>(view.spring[spring], view.y);
+  const Lane<G> sigma = sigma_of<G>(change, Lane<G>::load(own), q_own);
+  const Lane<G> kappa = sigma / delta, r_own = rho_own / delta;  // the second: R of the changed spring, after
+  const Pair<G> kappa_r = pair_of<G>(kappa, sigma * sigma * r_own), zero_kappa = pair_of<G>(zero, kappa * 2.0);
   Pair<G> t_v[kMostListedSlots], v_zero[kMostListedSlots];
   for (Index slot = 0; slot < view.slots; ++slot) {
     t_v[slot] = Pair<G>::load(own + (2 + 2 * slot) * G);
@@ -77,6 +92,10 @@ void update_table(const LaneView& view, Index spring, double change, double* tab
       (Pair<G>::load(at) - t_v[slot] * q - v_zero[slot] * rho).store(at);
     }
   }
+  pair_of<G>(q_own / delta, r_own).store(own);
+  const Pair<G> inverse = both<G>(Lane<G>::all(1.0) / sigma), rho = both<G>(rho_own);
+  for (Index slot = 0; slot < view.slots; ++slot)
+    (t_v[slot] * inverse - v_zero[slot] * rho).store(own + (2 + 2 * slot) * G);
 }
 
 }  // namespace

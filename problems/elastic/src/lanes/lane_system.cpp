@@ -7,6 +7,13 @@
 
 namespace nodal::elastic {
 
+namespace {
+
+// A quarter of what a price may be off by, since G² is a square and α has the error twice.
+constexpr double kAgreement = 2.5e-10;
+
+}  // namespace
+
 LaneSystem::LaneSystem(const LaneStructure& structure, const LaneKernels& kernels)
     : structure_(structure),
       kernels_(kernels),
@@ -37,7 +44,7 @@ bool LaneSystem::agrees_with(const FullEvaluation& solved, double reference_norm
   AlignedArray u(structure_.slots() * structure_.vector_size());
   kernels_.solve_loads(view_, u.data());
   const double ours = kernels_.squared_error(view_, u.data());
-  return std::abs(std::sqrt(ours) - std::sqrt(theirs)) <= 1e-6 * std::sqrt(theirs) + 1e-9 * reference_norm;
+  return std::abs(std::sqrt(ours) - std::sqrt(theirs)) <= kAgreement * (std::sqrt(theirs) + reference_norm);
 }
 
 void LaneSystem::take_displacements(const FullEvaluation& solved, double* u) const {

@@ -63,11 +63,12 @@ struct Numbers {
       return ((total[0] + total[4]) + (total[2] + total[6])) + ((total[1] + total[5]) + (total[3] + total[7]));
     }
   }
-  bool positive() const {
+  bool above(double least) const {
     bool all_are = true;
-    for (int i = 0; i < N; ++i) all_are = all_are & ((*this)[i] > 0.0);
+    for (int i = 0; i < N; ++i) all_are = all_are & ((*this)[i] > least);
     return all_are;
   }
+  bool positive() const { return above(0.0); }
 };
 
 template <int N>

@@ -8,6 +8,8 @@
 
 #include <fmt/format.h>
 
+#include <nodal/agreement.h>
+
 #include "moves/eager_form.h"
 #include "moves/full_form.h"
 #include "moves/lazy_form.h"
@@ -19,9 +21,10 @@ namespace nodal::elastic {
 namespace {
 
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
-constexpr double kTolerance = 1e-9;  // of G², what the walk's own value may be off by
+constexpr double kTolerance = 1e-9;  // of G², what a price and the walk's own value may be off by
+constexpr double kNoise = 1e-12;     // … of ‖u_ref‖: about what displacements of any evaluation are off by
+constexpr double kSafety = 4.0;      // by which measured errors of prices stayed below the bound on `loss`
 constexpr std::int64_t kFirstInterval = 1024, kLongestInterval = 65536, kShortestInterval = 64;
-constexpr double kStiffChange = 1e6;  // an updated factor loses digits with the change: 1 → 1e12 → 1 leaves 4e-6
 constexpr std::int64_t kReviewEvery = 64;
 constexpr std::size_t kMostChoices = 32;
 
@@ -55,6 +58,8 @@ ElasticMoves::ElasticMoves(const ElasticModel& model)
       costs_(model, lanes_),
       fresh_(model),
       x_(model.parameters.size()),
+      lowest_(x_.size()),
+      highest_(x_.size()),
       stiffness_(model.parameters.springs()),
       interval_(kFirstInterval) {
   for (std::size_t i = 0; i < x_.size(); ++i) springs_.push_back(model.parameters.springs_of(i));
@@ -80,6 +85,7 @@ void ElasticMoves::use(Form form, std::string reason) {
 
 // The form takes over at the point that fresh_ has just solved for.
 void ElasticMoves::begin_form() {
+  forget_loss();
   if (form_->reset(stiffness_, fresh_)) return;
   use(Form::full, fmt::format("{} can't vouch for this point: its arithmetic and a full evaluation disagree",
                               to_string(form_kind_)));
@@ -94,6 +100,31 @@ Status ElasticMoves::solve_fresh() {
   since_check_ = 0;
   rounding_ = 0.0;
   return Status::ok;
+}
+
+// A form that begins anew has lost nothing.
+void ElasticMoves::forget_loss() {
+  std::ranges::copy(x_, lowest_.begin());
+  std::ranges::copy(x_, highest_.begin());
+  widest_ = 0.0;
+  ratio_ = 1.0;
+  travelled_ = 0.0;
+  updates_ = 0;
+}
+
+// Whether the next price might be off by more than it may, once coordinate `i` has been changed to `x` as well.
+bool ElasticMoves::loses_too_much(std::size_t i, double x) {
+  lowest_[i] = std::min(lowest_[i], x);
+  highest_[i] = std::max(highest_[i], x);
+  if (highest_[i] - lowest_[i] > widest_) {
+    widest_ = highest_[i] - lowest_[i];
+    ratio_ = std::exp(widest_);
+  }
+  const double quality = std::sqrt(proposed_squared_);
+  travelled_ += quality + model_.reference_norm;
+  ++updates_;
+  const double loss = kSafety * kEpsilon * (static_cast<double>(updates_) * ratio_ * quality + travelled_);
+  return !(loss <= kTolerance * quality + kNoise * model_.reference_norm);
 }
 
 Evaluation ElasticMoves::reset(std::span<const double> x) {
@@ -144,9 +175,7 @@ Status ElasticMoves::accept() {
     x_[changed_] = proposed_x_;
     return Status::ok;
   }
-  const double factor = change_.stiffness / before;
-  const bool stiff = factor > kStiffChange || factor * kStiffChange < 1.0;
-  if (stiff || !form_->accept(change_)) return accept_afresh(before);
+  if (loses_too_much(changed_, proposed_x_) || !form_->accept(change_)) return accept_afresh(before);
   x_[changed_] = proposed_x_;
   rounding_ += 8.0 * kEpsilon * (squared_ + proposed_squared_);
   squared_ = proposed_squared_;
@@ -160,12 +189,22 @@ Status ElasticMoves::accept_afresh(double before) {
   const Status status = solve_fresh();
   if (status == Status::ok) {
     x_[changed_] = proposed_x_;
+    note_drift(proposed_squared_);
   } else {
     for (const std::size_t e : change_.springs) stiffness_[e] = before;
     if (solve_fresh() != Status::ok) return status;  // it was fine before: can't happen
   }
   begin_form();
   return status;
+}
+
+// Compares what was priced with the fresh G²; returns the difference relative to it.
+double ElasticMoves::note_drift(double priced) {
+  const double seen = model_.cost(priced), fresh = model_.cost(squared_);
+  const double drift = relative_drift(seen, fresh);
+  report_.drift = std::max(report_.drift.value_or(0.0), drift);
+  if (contradicts(seen, fresh)) ++contradictions_;
+  return drift;
 }
 
 void ElasticMoves::check_drift() {
@@ -176,9 +215,7 @@ void ElasticMoves::check_drift() {
     if (form_kind_ != Form::full) use(Form::full, "the walk's point can't be solved for in full");
     return;
   }
-  const double drift = std::abs(ours - squared_);
-  report_.drift = std::max(report_.drift.value_or(0.0), model_.cost(drift));
-  const double relative = squared_ > 0.0 ? drift / squared_ : 0.0;
+  const double relative = note_drift(ours);
   if (relative > kTolerance)
     begin_form();
   else

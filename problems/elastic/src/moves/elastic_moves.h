@@ -8,8 +8,13 @@
 ///          Costs come from CostModel, so equal runs choose equally. `scene.moves.form` forces one.
 /// Drift    the point's G² is compared with a fresh full evaluation after `interval` accepted changes, and sooner when a
 ///          bound on its rounding, Σ 8ε(G² + G'²), exceeds 1e-9 of it. The interval is what the drift found allows for
-///          staying below a tenth of 1e-9, growing at most twofold. A drift above that makes the form start anew; so
-///          does a change by a factor of more than 1e6, after which an updated factor has lost digits.
+///          staying below a tenth of 1e-9, growing at most twofold. A drift above that makes the form start anew.
+/// Loss     G² may be right and the next price wrong all the same: what a form keeps is brought up to date by differences,
+///          so its errors are relative to what it once was. Since the form began, with n changes accepted and p the
+///          largest ratio between two stiffnesses that one spring has had, factor and compliances have lost nεp; and
+///          displacements, which once were as far off as G was, Σε(G + ‖u_ref‖)/G of the present G. Once four times the
+///          sum of both exceeds 1e-9, the form starts anew before the next price. (Near a perfect fit, where any
+///          evaluation is noise, it may be 1e-12 ‖u_ref‖/G.)
 /// Cost     propose: the form's price, an exponential, two indirect calls. No allocation after a form's first calls.
 /// Threads  one per thread.
 
@@ -35,6 +40,7 @@ class ElasticMoves final : public Moves {
   [[nodiscard]] std::span<const double> current_point() const override { return x_; }
   Evaluation resync() override;
   [[nodiscard]] MovesReport report() const override { return report_; }
+  [[nodiscard]] std::int64_t contradictions() const override { return contradictions_; }
 
   [[nodiscard]] Work work() const;
 
@@ -45,6 +51,9 @@ class ElasticMoves final : public Moves {
   Status accept_afresh(double before);
   void review();
   void check_drift();
+  double note_drift(double priced);
+  void forget_loss();
+  bool loses_too_much(std::size_t i, double x);
 
   const ElasticModel& model_;
   const LaneModel& lanes_;
@@ -55,7 +64,8 @@ class ElasticMoves final : public Moves {
   Work past_;  // of forms that were left
 
   std::vector<std::span<const std::size_t>> springs_;  // by coordinate, at hand for the hot path
-  std::vector<double> x_, stiffness_;
+  std::vector<double> x_, lowest_, highest_;  // the last two: of each coordinate since the form began
+  std::vector<double> stiffness_;
   double squared_ = 0.0;  // G² of the point
   // The last proposal.
   Change change_;
@@ -71,6 +81,10 @@ class ElasticMoves final : public Moves {
 
   std::int64_t since_check_ = 0, interval_;
   double rounding_ = 0.0;  // bound on what G² has gathered since it was fresh
+  // What the form has lost since it began: the widest stretch of a coordinate and its ratio of stiffnesses, Σ G + ‖u_ref‖.
+  double widest_ = 0.0, ratio_ = 1.0, travelled_ = 0.0;
+  std::int64_t updates_ = 0;
+  std::int64_t contradictions_ = 0;
   MovesReport report_;
 };
 

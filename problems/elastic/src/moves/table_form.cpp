@@ -43,14 +43,12 @@ Priced TableForm::price(const Change& change) {
   // Nearly always all support groups fit into one list.
   const List& first = lists_.front();
   LanePrice price = first.price(*first.view, first.rows + first.stride * e, change.delta);
-  for (std::size_t s = 1; s < lists_.size() && price.possible; ++s) {
+  for (std::size_t s = 1; s < lists_.size() && price.trusted; ++s) {
     const LanePrice more = lists_[s].price(*lists_[s].view, lists_[s].rows + lists_[s].stride * e, change.delta);
-    price = {price.change + more.change, more.possible};
+    price = {price.change + more.change, more.trusted};
   }
-  if (!price.possible) [[unlikely]]
-    return {Status::not_positive_definite, 0.0};
   const double squared = squared_ + price.change;
-  if (!(squared > kCancelling * squared_)) [[unlikely]]
+  if (!price.trusted || !(squared > kCancelling * squared_)) [[unlikely]]
     return price_in_full(change);
   priced_ = squared;
   return {Status::ok, squared};
