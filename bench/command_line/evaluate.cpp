@@ -30,6 +30,7 @@ int evaluate_elastic(const EvaluateArguments& arguments, const std::string& labe
     std::cerr << fmt::format("nodal: {}: {}: {}\n", label, to_string(state.status), state.message);
     return kExitTrialFailed;
   }
+  for (const std::string& finding : problem.scene().findings) std::cerr << fmt::format("note: {}\n", finding);
   std::cout << (arguments.json ? to_json(state_json(label, problem, stiffness, state)) + "\n"
                                : state_text(label, problem, state));
   if (!arguments.picture.empty()) {

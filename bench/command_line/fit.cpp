@@ -174,6 +174,8 @@ int fit_command(const FitArguments& arguments, const Registry& registry) {
   refuse_outputs(arguments, entry);
   std::cerr << fmt::format("{} ({} coordinates) with {}: {}\n", entry.label, entry.problem->space().size(),
                            choice.optimizer.label, choice.why);
+  if (const elastic::ElasticProblem* problem = as_elastic(entry))
+    for (const std::string& finding : problem->scene().findings) std::cerr << fmt::format("note: {}\n", finding);
 
   study.optimizers = {choice.optimizer};
   if (!study.budget.seconds && !study.budget.evaluations) study.budget.seconds = kDefaultSeconds;

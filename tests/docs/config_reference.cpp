@@ -104,9 +104,10 @@ constexpr std::string_view kElasticRules = R"(Rules between these keys:
   of another shape is refused, and `disc`, `ring`, `regular`, `polygon` and `file` need those without a default.
 - `body.inner_radius` is smaller than what the outer polygon leaves: `radius` × cos(180° / `sides`).
 - A ring of points is closed by itself; its first point may stand again at the end, and in a file must. Either way
-  round will do: `nodal explain` says which rings were turned round. Refused, with their place, are points that
-  coincide, sides that cross, touch or fold back, rings without area, holes not inside the outline or within each
-  other, and an outline so far from the origin that its coordinates are rounded to more than 1e-9 of its size.
+  round will do: sides and vertices keep the numbers of the list, and `nodal explain` says which rings were turned
+  round. Refused, with their place, are points that coincide, sides that cross, touch or fold back, rings without area,
+  holes not inside the outline or within each other, and an outline so far from the origin that its coordinates are
+  rounded to more than 1e-9 of its size.
 - `points`: a grid with `counts` fills an upright rectangle; with `spacing` or `cell` it is clipped to any body: exactly
   its nodes where a grid topology joins them, else nodes inside and others along the outline. `layout = "random"` and
   `"voronoi"` need `total`, or `inner`. Keys of another layout are refused. Iterated Voronoi regions spread points by the

@@ -46,7 +46,7 @@ ElasticModel::ElasticModel(Scene scene_of_problem)
     residual_count += rows[l];
   }
   if (!(squared > 0.0))
-    throw InputError("the reference displacement is zero everywhere: there is nothing to fit; give the loads a stress");
+    throw InputError("the reference displacement is zero wherever it counts: there is nothing to fit");
   if (!std::isfinite(squared)) throw InputError("the reference displacement is not finite; check stress and young");
   reference_norm = std::sqrt(squared);
   inverse_reference_squared = 1.0 / squared;

@@ -151,6 +151,13 @@ Value ElasticProblem::details() const {
   }
   if (!iterations.empty()) details.set("voronoi", Value(std::move(iterations)));
   if (!scene().masses.table().empty()) details.set("masses", scene().masses);
+  if (!scene().supports_choice.empty()) details.set("supports", scene().supports_choice);
+  const auto list = [&](const char* key, const std::vector<std::string>& lines) {
+    Value::List values(lines.begin(), lines.end());
+    if (!values.empty()) details.set(key, Value(std::move(values)));
+  };
+  list("selections", scene().selections);
+  list("findings", scene().findings);
   return details;
 }
 
@@ -170,8 +177,8 @@ std::vector<Stage> ElasticProblem::stages() const {
        s.net.grid.columns == 0 ? "no node moves without resistance" : "a grid with diagonals is rigid"},
       {"masses", !s.net.masses.empty(), masses_detail(s)},
       {"loads", true,
-       fmt::format("{} load cases, {} support group{}", s.loads.loads.size(), s.loads.groups.size(),
-                   s.loads.groups.size() == 1 ? "" : "s")},
+       fmt::format("{} load cases, {} support group{}{}", s.loads.loads.size(), s.loads.groups.size(),
+                   s.loads.groups.size() == 1 ? "" : "s", s.supports_choice.empty() ? "" : ", " + s.supports_choice)},
       {"analytic reference", s.measured_reference.empty(),
        s.measured_reference.empty() ? "a homogeneous body under homogeneous stress: the closed form is exact"
                                     : "the reference was measured"},
@@ -204,7 +211,8 @@ std::vector<Stage> ElasticProblem::stages() const {
 std::vector<std::string> ElasticProblem::remarks() const {
   const Scene& s = scene();
   std::vector<std::string> remarks = s.net.body.remarks;
-  remarks.insert(remarks.end(), s.net.remarks.begin(), s.net.remarks.end());
+  for (const std::vector<std::string>* more : {&s.net.remarks, &s.selections, &s.findings})
+    remarks.insert(remarks.end(), more->begin(), more->end());
   double factor_entries = 0.0;
   for (const auto& group : data_->model.groups) factor_entries += group->pattern().factor_entries();
   const double jacobian_mib = static_cast<double>(residual_count() * parameters().size()) * 8.0 / 1048576.0;

@@ -189,25 +189,55 @@ class ProjectedNewton {
 
 }  // namespace
 
+namespace {
+
+// Displacements of all loads of a group, one after the other.
+std::vector<double> solved(Equilibrium& equilibrium, const std::vector<double>& stiffness) {
+  if (equilibrium.factorize(stiffness) != Status::ok || equilibrium.solve_loads() != Status::ok)
+    throw std::invalid_argument(
+        "a best scale needs a net that carries its loads; this one is a mechanism or next to one");
+  (void)equilibrium.refine();
+  std::vector<double> all;
+  for (std::size_t l = 0; l < equilibrium.group().loads().size(); ++l) {
+    const double* u = equilibrium.displacement(l).data();
+    all.insert(all.end(), u, u + equilibrium.group().free());
+  }
+  return all;
+}
+
+}  // namespace
+
+// u = u_0 + s u_1: what supports that move make of it, and what forces make at s = 1. Without such supports u_0 = 0;
+// with them u at half of s tells the two apart.
 double best_scale(const Scene& scene, const std::vector<double>& stiffness) {
   const ElasticModel model(scene);
   double with_reference = 0.0, with_itself = 0.0;
   for (const auto& group : model.groups) {
     Equilibrium equilibrium(*group);
-    if (equilibrium.factorize(stiffness) != Status::ok || equilibrium.solve_loads() != Status::ok)
-      throw std::invalid_argument(
-          "scale = \"best\" needs a net that carries its loads; this one is a mechanism or next to one");
-    (void)equilibrium.refine();
-    for (std::size_t l = 0; l < group->loads().size(); ++l) {
-      const double* u = equilibrium.displacement(l).data();
-      for (std::size_t i = 0; i < group->free(); ++i) {
-        with_reference += group->weights()[i] * u[i] * group->loads()[l].reference[i];
-        with_itself += group->weights()[i] * u[i] * u[i];
+    std::vector<double> u_1 = solved(equilibrium, stiffness), u_0(u_1.size(), 0.0);
+    if (group->has_prescribed_motion()) {
+      std::vector<double> doubled = stiffness;
+      for (double& k : doubled) k *= 2.0;
+      u_0 = solved(equilibrium, doubled);
+      for (std::size_t i = 0; i < u_1.size(); ++i) {
+        const double by_forces = 2.0 * (u_1[i] - u_0[i]);
+        u_0[i] = u_1[i] - by_forces;
+        u_1[i] = by_forces;
       }
     }
+    for (std::size_t l = 0; l < group->loads().size(); ++l)
+      for (std::size_t i = 0; i < group->free(); ++i) {
+        const std::size_t at = l * group->free() + i;
+        with_reference += group->weights()[i] * u_1[at] * (group->loads()[l].reference[i] - u_0[at]);
+        with_itself += group->weights()[i] * u_1[at] * u_1[at];
+      }
   }
+  const bool pulled = std::ranges::any_of(scene.loads.loads, [](const LoadCase& load) {
+    return std::ranges::any_of(load.forces, [](double f) { return f != 0.0; });
+  });
+  if (!pulled) throw std::invalid_argument("no load has a force, so every scale is as good as another");
   if (!(with_reference > 0.0))
-    throw std::invalid_argument("scale = \"best\" finds no positive factor: the net moves against its reference");
+    throw std::invalid_argument("no positive factor is best, since the net moves against its reference");
   return with_itself / with_reference;
 }
 

@@ -10,9 +10,10 @@
 
 namespace nodal::elastic {
 
-/// The factor c that minimises G(c·k): u scales with s = 1/c, so s = ⟨u, u_ref⟩_W / ⟨u, u⟩_W, without a search.
-/// std::invalid_argument when the net can't carry its loads, or moves against its reference so that no positive factor
-/// helps.
+/// The factor c that minimises G(c·k): u = u_0 + u_1/c, u_0 from supports that move and u_1 from forces, so
+/// 1/c = ⟨u_1, u_ref − u_0⟩_W / ⟨u_1, u_1⟩_W, without a search.
+/// std::invalid_argument when the net can't carry its loads, when no load has a force, or when forces move the net
+/// against its reference so that no positive factor helps.
 [[nodiscard]] double best_scale(const Scene& scene, const std::vector<double>& stiffness);
 
 /// The minimiser of the convex energy

@@ -48,7 +48,7 @@ TEST(AbsentTriangulation, IsSaidOfAStudyWithItsPlace) {
             "s.toml:5: layout 'voronoi' needs " + lacks);
   EXPECT_EQ(refusal("masses = { form = \"positive\" }\n"), "s.toml:5: positive masses need " + lacks);
   EXPECT_EQ(refusal("points = { layout = \"random\", total = 20 }\nsprings = {}\n"),
-            "s.toml:6: topology 'delaunay', which suits these points, needs " + lacks + "; 'nearest' doesn't");
+            "s.toml:6: topology 'delaunay', which suits these points, needs " + lacks + "; springs = { topology = \"nearest\" } doesn't");
   EXPECT_EQ(refusal("points = { layout = \"random\", total = 20 }\nsprings = { topology = \"nearest\" }\n"),
             "(nothing was thrown)");
 }

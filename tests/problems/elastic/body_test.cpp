@@ -247,7 +247,7 @@ TEST(Contains, IsInsideOrOnTheBorder) {
   RandomStream random(7);
   for (const Body& body : bodies_to_search()) {
     SCOPED_TRACE(body.name);
-    const double tolerance = kOnOutline * bounding_box(body.rings[0]).size();
+    const double tolerance = outline_tolerance(body);
     for (const Point& point : points_around(body, random)) {
       const bool wanted = distance_to_border(body, point) <= tolerance || wound_around(body, point);
       EXPECT_EQ(contains(body, point), wanted) << point[0] << " " << point[1];
@@ -285,7 +285,7 @@ TEST(Border, IsWhatLiesOnASideAndCornersAreItsCorners) {
   RandomStream random(9);
   for (const Body& body : bodies_to_search()) {
     SCOPED_TRACE(body.name);
-    const double tolerance = kOnOutline * bounding_box(body.rings[0]).size();
+    const double tolerance = outline_tolerance(body);
     Net net;
     net.body = body;
     net.nodes = points_around(body, random);
@@ -363,7 +363,8 @@ TEST(BodyOptions, MakePolygonsWithHoles) {
   ASSERT_EQ(body.rings.size(), 3u);
   EXPECT_EQ(body.rings[1], (Ring{{1, 1}, {2, 2}, {2, 1}}));
   EXPECT_EQ(body.rings[2], (Ring{{3, 3}, {3, 3.5}, {3.5, 3}}));
-  EXPECT_EQ(body.remarks, std::vector<std::string>{"hole 1 was given counterclockwise and has been turned round"});
+  EXPECT_EQ(body.remarks, std::vector<std::string>{"hole 1 was given counterclockwise and has been turned round; its "
+                                                   "sides and vertices keep the numbers that they had"});
 }
 
 TEST(BodyOptions, RefuseKeysOfOtherShapes) {
@@ -405,12 +406,13 @@ std::string scene_refusal(const std::string& body) {
 }
 
 TEST(BodyOptions, FillNoGridButARectangle) {
-  EXPECT_EQ(
-      scene_refusal("{ shape = \"disc\", radius = 1 }"),
-      "s.toml:6: a grid needs a body that is an upright rectangle; give a 'spacing', and the grid is clipped to the "
-      "body");
+  EXPECT_EQ(scene_refusal("{ shape = \"disc\", radius = 1 }"),
+            "s.toml:6: a grid needs a body that is an upright rectangle; give points = { spacing = 0.5 }, and a grid "
+            "with such "
+            "cells, in metres, is clipped to the body");
   EXPECT_EQ(scene_refusal("{ shape = \"none\" }"),
-            "s.toml:6: layout 'grid' needs a body with an outline; this one has none");
+            "s.toml:6: layout 'grid' needs a body with an outline, and this one has none; describe it, as by body = { "
+            "size = [4, 4] }");
   EXPECT_EQ(scene_refusal("{ shape = \"polygon\", outline = [[0, 0], [2, 0], [2, 1], [0, 1]] }"),
             "(nothing was thrown)");
 }
@@ -420,7 +422,9 @@ TEST(BodyOptions, TellWhatWasMended) {
       as_elastic(parse_study("[study]\nname = \"s\"\n[problem]\nkind = \"elastic\"\npoints = { counts = [3, 3] }\n"
                              "body = { shape = \"polygon\", outline = [[0, 0], [0, 1], [2, 1], [2, 0]] }\n",
                              "s.toml", components()));
-  EXPECT_EQ(problem->remarks().at(0), "the outline was given clockwise and has been turned round");
+  EXPECT_EQ(problem->remarks().at(0),
+            "the outline was given clockwise and has been turned round; its sides and vertices keep the numbers that "
+            "they had");
 }
 
 }  // namespace

@@ -2,7 +2,6 @@
 // Systems brought from elsewhere: files of nodes, springs and displacements, loads of a study's own.
 #include <gtest/gtest.h>
 
-#include <fstream>
 #include <numeric>
 
 #include <fmt/format.h>
@@ -11,13 +10,12 @@
 #include <nodal/trial.h>
 #include "../../support/messages.h"
 
-#include "brought_files.h"
-#include "plate.h"
+#include "study_files.h"
 
 namespace nodal::elastic {
 namespace {
 
-class Brought : public BroughtFiles {
+class Brought : public StudyFiles {
  protected:
   // A plate's net and its displacements under some loads as files, with nodes named `first_name`, `first_name` + 1, ….
   void write_plate(const ElasticProblem& plate, std::int64_t first_name = 0) {
@@ -173,7 +171,7 @@ TEST_F(Brought, SpringsCanBeTiedByGroupsAndLists) {
     return text + plate_cases(4);
   };
   EXPECT_EQ(refusal(files("\"groups\"")),
-            "study.toml:7: parameters = 'groups' needs springs = { file = … } with a column 'group'");
+            "study.toml:7: parameters = \"groups\" needs springs = { file = \"springs.csv\" } with a column 'group'");
   write("springs.csv", rows);
   const auto grouped = read(files("\"groups\""));
   EXPECT_EQ(grouped->parameters().size(), 2u);
@@ -210,9 +208,10 @@ TEST_F(Brought, WhatIsWrongIsSaidWithItsPlace) {
   const std::string files = kFiles;
   EXPECT_NE(refusal(files.substr(0, files.find("reference")) + cases).find("cases of your own need reference = { file"),
             std::string::npos);
-  EXPECT_EQ(refusal(kFiles + std::string("loads = { set = \"own\" }\n")), "study.toml:9: set = 'own' needs 'cases'");
+  EXPECT_EQ(refusal(kFiles + std::string("loads = { set = \"own\" }\n")),
+            "study.toml:9: set = \"own\" needs load cases, each under [[problem.loads.cases]]");
   EXPECT_EQ(refusal(kFiles + std::string("loads = { stress = 2, cases = [] }\n")),
-            "study.toml:9: set = 'own' needs 'cases'");
+            "study.toml:9: set = \"own\" needs load cases, each under [[problem.loads.cases]]");
 
   write("nodes.csv", "node,x,y\n1,0,0\n1,1,0\n");
   EXPECT_EQ(refusal(kFiles), "nodes.csv:3: node 1 stands twice");
@@ -244,20 +243,26 @@ TEST_F(Brought, CasesThatDoNotFitAreSaidWithTheirPlace) {
     return refusal(std::string(kFiles) + "[[problem.loads.cases]]\nname = \"pull\"\n" + content);
   };
   const std::string held = "supports = [{ edge = \"bottom\" }]\n";
-  EXPECT_EQ(with(held),
-            "study.toml:9: nothing pulls or moves in load 'pull': give it forces, tractions, or supports "
-            "with a displacement");
-  EXPECT_EQ(with("forces = [{ force = [1, 0] }]\n"),
-            "study.toml:11: say for which nodes: by 'nodes', 'box', 'edge' or 'near'");
+  EXPECT_EQ(
+      with(held),
+      "study.toml:9: nothing pulls or moves in load 'pull': give it forces = [{ near = [4, 0], force = [0, -1] }], "
+      "tractions = [{ edge = \"right\", traction = [1, 0] }], or supports that move, as { edge = \"right\", "
+      "displacement = [0.1, 0] }");
+  EXPECT_EQ(
+      with("forces = [{ force = [1, 0] }]\n"),
+      "study.toml:11: say for which nodes: by nodes = [1, 2], box = [x0, y0, x1, y1], edge = \"left\" or near = [x, "
+      "y]");
   EXPECT_EQ(with("forces = [{ nodes = [2] }]\n"), "study.toml:11: 'force' or 'total' is missing");
   EXPECT_EQ(with("forces = [{ nodes = [7], force = [1, 0] }]\n"),
             "study.toml:11: there is no node 7; the system has 4 nodes");
   EXPECT_EQ(with("forces = [{ edge = \"lleft\", force = [1, 0] }]\n"),
             "study.toml:11: unknown edge 'lleft'; this body has left, right, bottom, top, outline, side-0 to side-3");
-  EXPECT_EQ(with("forces = [{ edge = \"left\", box = [1, 1, 2, 2], force = [1, 0] }]\n"),
-            "study.toml:11: no node is selected here; look at the nodes with a picture");
+  EXPECT_EQ(
+      with("forces = [{ edge = \"left\", box = [1, 1, 2, 2], force = [1, 0] }]\n"),
+      "study.toml:11: no node is selected here, by box [1, 1, 2, 2] and edge left; the nodes lie in [0, 0, 4, 4]");
   EXPECT_EQ(with("tractions = [{ nodes = [0, 2], traction = [1, 0] }]\n"),
-            "study.toml:11: no two neighbours on an outline are selected here, so there is no edge to pull at");
+            "study.toml:11: no two neighbours on an outline are selected here, by nodes [0, 2], which takes 2 nodes: "
+            "there is no edge to pull at");
   EXPECT_EQ(with("supports = [{ nodes = [0] }, { nodes = [0], fix = \"y\", displacement = [0, 1] }]\n"),
             "study.toml:11: node 0 is held twice in y, at different displacements; the other place: " +
                 (directory_.path() / "study.toml:11").string().substr(directory_.path().string().size() + 1));

@@ -10,12 +10,12 @@
 
 #include <nodal/trial.h>
 
-#include "brought_files.h"
+#include "study_files.h"
 
 namespace nodal::elastic {
 namespace {
 
-class ForeignFiles : public BroughtFiles {
+class ForeignFiles : public StudyFiles {
  protected:
   ForeignFiles() {
     write("nodes.csv", "node,x,y\n1,0,0\n2,4,0\n3,2,3\n");

@@ -115,7 +115,7 @@ std::string refusal(const PlateOptions& options) {
 TEST(Scene, RefusesAGridTopologyAsAMechanism) {
   EXPECT_EQ(refusal({.topology = "grid"}),
             "plate.toml:8: topology 'grid' is a mechanism: without diagonals its cells shear without resistance; take "
-            "'single', 'alternating' or 'crossed'");
+            "springs = { topology = \"crossed\" }, or \"single\" or \"alternating\"");
 }
 TEST(Scene, OffersTheNearestTopology) {
   EXPECT_EQ(refusal({.topology = "crosed"}), "plate.toml:8: unknown topology 'crosed'; did you mean 'crossed'?");

@@ -47,8 +47,14 @@ TEST(OutlineCheck, DropsTheRepeatedFirstPoint) {
 TEST(OutlineCheck, TurnsRingsRoundAndSaysSo) {
   const Body body = checked({{{0, 0}, {0, 4}, {4, 4}, {4, 0}}, {{1, 1}, {1, 2}, {2, 1}}, {{3, 3}, {3.5, 3}, {3, 3.5}}});
   EXPECT_EQ(body.rings, (std::vector<Ring>{kSquare, {{1, 1}, {1, 2}, {2, 1}}, {{3, 3}, {3, 3.5}, {3.5, 3}}}));
-  EXPECT_EQ(body.remarks, (std::vector<std::string>{"the outline was given clockwise and has been turned round",
-                                                    "hole 2 was given counterclockwise and has been turned round"}));
+  EXPECT_EQ(body.turned, (std::vector<bool>{true, false, true}));
+  for (std::size_t side = 0; side < 4; ++side) EXPECT_EQ(body.side(0, side), 3 - side);
+  EXPECT_EQ(body.side(1, 2), 2u);
+  EXPECT_EQ(body.side(2, 0), 2u) << "from (3, 3) to (3.5, 3)";
+  EXPECT_EQ(body.remarks, (std::vector<std::string>{"the outline was given clockwise and has been turned round; its "
+                                                    "sides and vertices keep the numbers that they had",
+                                                    "hole 2 was given counterclockwise and has been turned round; its "
+                                                    "sides and vertices keep the numbers that they had"}));
 }
 
 TEST(OutlineCheck, TakesCollinearSidesAndSharpTurns) {

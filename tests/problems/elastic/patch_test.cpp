@@ -142,7 +142,7 @@ TEST(LatticeStart, IsTheAreaRuleOnTrianglesInPlaneStress) {
 TEST(LatticeStart, IsRefusedWhereCellsDontFillTheBody) {
   const char* refusal =
       "patch.toml:8: the 'lattice' rule needs a crossed grid of square cells, or equilateral triangles, that fill the "
-      "body to its outline; take 'area' or 'energy' instead";
+      "body to its outline; take springs = { initial = \"area\" }";
   const Patch refused[] = {
       {.name = "a rectangle's sides are ragged", .body = "size = [4.0, 1.7320508075688772]", .spacing = 1.0},
       {.name = "an ell's cut corner lies within cells",

@@ -65,7 +65,7 @@ TEST(LatticeStart, IsRefusedOnRectangularCells) {
     EXPECT_STREQ(
         error.what(),
         "plate.toml:8: the 'lattice' rule needs a crossed grid of square cells, or equilateral triangles, that "
-        "fill the body to its outline; take 'area' or 'energy' instead");
+        "fill the body to its outline; take springs = { initial = \"area\" }");
   }
 }
 

@@ -178,6 +178,12 @@ OptionSchema body_fields() {
        .minimum = 0.0,
        .maximum = 180.0,
        .help = "an outline's vertex is a corner where the outline turns by more than this"},
+      {.name = "on_outline",
+       .type = OptionType::number,
+       .default_text = "1e-6; of nodes in a file as much as their digits leave open, up to 1e-5",
+       .minimum = kPlaceRounding,
+       .maximum = 1e-2,
+       .help = "a node is on a side, or at a corner, within this share of the body's size"},
   };
 }
 
@@ -191,10 +197,7 @@ std::string shape_of(const Options& body, const std::string& default_shape) {
   return default_shape;
 }
 
-}  // namespace
-
-Body read_body(const Options& body, const ProblemContext& context, const std::string& default_shape) {
-  const std::string shape = shape_of(body, default_shape);
+Body read_rings(const Options& body, const ProblemContext& context, const std::string& shape) {
   check_keys(body, shape);
   const double thickness = body.number("thickness"), corner_turn = radians(body.number("corner_turn"));
   if (shape == "none") return {.name = "none", .rings = {}, .thickness = thickness, .corner_turn = corner_turn};
@@ -225,6 +228,14 @@ Body read_body(const Options& body, const ProblemContext& context, const std::st
   } catch (const std::invalid_argument& error) {
     throw InputError(source, error.what());
   }
+}
+
+}  // namespace
+
+Body read_body(const Options& body, const ProblemContext& context, const std::string& default_shape) {
+  Body read = read_rings(body, context, shape_of(body, default_shape));
+  read.on_outline = number_or(body, "on_outline", kOnOutline);
+  return read;
 }
 
 }  // namespace nodal::elastic

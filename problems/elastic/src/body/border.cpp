@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <limits>
 
 #include <nodal/elastic/net.h>
 
@@ -25,26 +26,27 @@ std::vector<bool> corner_marks(const Ring& ring, double turn) {
   return marks;
 }
 
-// The place of a node on a ring, of whose sides those nearby are given, ascending; a node at a vertex belongs to the
-// side that begins there. False when it isn't on the ring.
+// The place of a node on a ring, of whose sides those nearby are given, ascending: at the nearest vertex, whose side is
+// the one that begins there, else on the nearest side. False when it isn't on the ring.
 bool find_on_ring(const Point& node, const RingTree& ring, const std::vector<std::size_t>& sides, double tolerance,
                   const std::vector<bool>& corners, OnRing& place) {
-  bool at_vertex = false;
+  double nearest = std::numeric_limits<double>::infinity();
   for (const std::size_t i : sides) {
-    if (distance(node, ring.vertex(i)) > tolerance) continue;
-    if (!at_vertex) place.side = i;
-    at_vertex = true;
+    const double away = distance(node, ring.vertex(i));
+    if (away > tolerance) continue;
     place.corner = place.corner || corners[i];
+    if (away < nearest) nearest = away, place.side = i;
   }
-  if (at_vertex) return true;
+  if (nearest <= tolerance) return true;
   for (const std::size_t i : sides) {
     const Point &p = ring.vertex(i), &q = ring.vertex(i + 1);
-    if (distance_to_segment(node, p, q) > tolerance) continue;
+    const double away = distance_to_segment(node, p, q);
+    if (away > tolerance || away >= nearest) continue;
+    nearest = away;
     place.side = i;
     place.share = nearest_share(node, p, q);
-    return true;
   }
-  return false;
+  return nearest <= tolerance;
 }
 
 // The nodes on one ring, along it.
@@ -74,7 +76,7 @@ void find_border(Net& net) {
   net.kinds.assign(net.nodes.size(), NodeKind::inner);
   net.outlines.assign(rings.size(), {});
   if (rings.empty()) return;
-  const double tolerance = kOnOutline * bounding_box(rings[0]).size();
+  const double tolerance = outline_tolerance(net.body);
   for (std::size_t r = 0; r < rings.size(); ++r)
     for (const OnRing& place : nodes_on_ring(net, r, tolerance)) {
       net.kinds[place.node] = place.corner ? NodeKind::corner : NodeKind::border;

@@ -57,9 +57,19 @@ Moments moments(const std::vector<Ring>& rings, const Point& origin) {
   return m;
 }
 
+double outline_tolerance(const Body& body) {
+  if (!body.has_outline()) return 0.0;
+  constexpr double kOfHalfAStrip = 0.05;
+  double perimeter = 0.0;
+  for (const Ring& ring : body.rings)
+    for (std::size_t i = 0; i < ring.size(); ++i) perimeter += distance(ring[i], ring[(i + 1) % ring.size()]);
+  return std::min(body.on_outline * bounding_box(body.rings[0]).size(),
+                  kOfHalfAStrip * std::abs(moments(body.rings).area) / perimeter);
+}
+
 bool contains(const Body& body, const Point& point) {
   if (!body.has_outline()) return false;
-  const double tolerance = kOnOutline * bounding_box(body.rings[0]).size();
+  const double tolerance = outline_tolerance(body);
   bool inside = false;  // by the number of sides that a ray to the right crosses
   for (const Ring& ring : body.rings) {
     for (std::size_t i = 0; i < ring.size(); ++i) {

@@ -40,6 +40,7 @@ Outline::Outline(const Body& body) {
   if (!body.has_outline()) throw std::invalid_argument("the body has no outline");
   box_ = bounding_box(body.rings[0]);
   area_ = moments(body.rings).area;
+  tolerance_ = outline_tolerance(body);
   for (const Ring& vertices : body.rings) {
     if (vertices.size() < 3) throw std::invalid_argument("a ring of the body has fewer than 3 vertices");
     const std::vector<std::size_t> corners = corner_vertices(vertices, body.corner_turn);
@@ -136,7 +137,9 @@ bool Outline::covers(const Point& p, const Point& q) const {
   return true;
 }
 
-double Outline::clearance(double spacing) const { return 0.01 * std::min(spacing, area_ / perimeter_); }
+double Outline::clearance(double spacing) const {
+  return std::max(2.0 * tolerance_, 0.01 * std::min(spacing, area_ / perimeter_));
+}
 
 double even_spacing(double area, double count) { return std::sqrt(2.0 * area / (std::numbers::sqrt3 * count)); }
 

@@ -56,8 +56,8 @@ class Outline {
   [[nodiscard]] double perimeter() const noexcept { return perimeter_; }
   [[nodiscard]] double area() const noexcept { return area_; }
   [[nodiscard]] const Box& box() const noexcept { return box_; }
-  /// Within this distance a point counts as on the outline: kOnOutline of the body's size.
-  [[nodiscard]] double tolerance() const noexcept { return kOnOutline * box_.size(); }
+  /// Within this distance a point counts as on the outline: outline_tolerance of the body.
+  [[nodiscard]] double tolerance() const noexcept { return tolerance_; }
   [[nodiscard]] const RingTree& ring(std::size_t ring) const { return rings_[ring]; }
 
   /// The point at an arc of a ring; arcs beyond its length go round.
@@ -78,7 +78,7 @@ class Outline {
   [[nodiscard]] bool covers(const Point& p, const Point& q) const;
 
   /// The distance that random and moving inner nodes keep from the outline: a hundredth of the spacing, or of half a
-  /// strip's width where that is less.
+  /// strip's width where that is less; twice the tolerance at least, so that none is taken for a border node.
   [[nodiscard]] double clearance(double spacing) const;
 
  private:
@@ -89,7 +89,7 @@ class Outline {
   std::vector<RingTree> rings_;
   std::vector<Chain> chains_;
   std::vector<std::size_t> corners_, first_chain_;  // [rings]
-  double perimeter_ = 0.0, area_ = 0.0;
+  double perimeter_ = 0.0, area_ = 0.0, tolerance_ = 0.0;
 };
 
 /// How far apart n evenly spread points are in an area: the side of the equilateral triangles of a lattice with as

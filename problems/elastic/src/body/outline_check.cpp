@@ -80,7 +80,7 @@ class OutlineCheck {
   // A size of 0 goes through here: the neighbours that coincide say it better.
   void check_size() {
     const Box box = bounding_box(rings_[0]);
-    tolerance_ = kOnOutline * box.size();
+    tolerance_ = kPlaceRounding * box.size();
     if (box.size() > 0.0 && box.size() < kSmallestBody)
       refuse(
           fmt::format("the outline is {} wide and {} high: the body's moments would leave double precision; it must "
@@ -202,8 +202,11 @@ Body checked_body(std::vector<Ring> rings, std::string name, double thickness, d
     const bool counterclockwise = moments({ring}).area > 0.0;
     if (counterclockwise == (r == 0)) continue;
     std::reverse(ring.begin() + 1, ring.end());
-    body.remarks.push_back(r == 0 ? "the outline was given clockwise and has been turned round"
-                                  : fmt::format("hole {} was given counterclockwise and has been turned round", r));
+    body.turned.resize(body.rings.size(), false);
+    body.turned[r] = true;
+    const std::string given =
+        r == 0 ? "the outline was given clockwise" : fmt::format("hole {} was given counterclockwise", r);
+    body.remarks.push_back(given + " and has been turned round; its sides and vertices keep the numbers that they had");
   }
   return body;
 }

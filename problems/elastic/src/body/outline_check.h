@@ -7,12 +7,12 @@
 /// they were given; side i runs from vertex i to the next, the last one to vertex 0.
 ///
 /// Mended   a last vertex that repeats the first is dropped; a ring the wrong way round is turned round, which
-///          Body::remarks tells.
+///          Body::remarks tells; Body::side knows the numbers that were given.
 /// Refused  fewer than 3 points; a point that is not finite, or out of range; an outline so far from the origin that
 ///          its coordinates are coarser than the tolerance; vertices, or a vertex and a side, nearer to each other than
 ///          the tolerance; sides that cross; a side that folds back on its predecessor; rings without area; holes not
 ///          inside the outline, or within each other.
-/// The tolerance is kOnOutline of the outline's size: nearer than that, a node wouldn't know to which side it belongs.
+/// The tolerance is kPlaceRounding of the outline's size: nearer than that, sides differ by rounding alone.
 /// Sides may be collinear, and turns may be as sharp as the tolerance lets them.
 ///
 /// Why not Boost.Geometry's is_valid: 1.74 compares on an integer grid of about 1e-7 of the size. For the square

@@ -29,9 +29,10 @@ std::vector<std::size_t> box_side_nodes(const Net& net, std::size_t axis, End en
   if (!net.body.has_outline()) return {};
   const Box box = bounding_box(net.body.rings[0]);
   const double position = end == End::low ? box.low[axis] : box.high[axis];
+  const double tolerance = outline_tolerance(net.body);
   std::vector<std::size_t> nodes;
   for (const std::size_t i : net.outlines.at(0))
-    if (std::abs(net.nodes[i][axis] - position) <= kOnOutline * box.size()) nodes.push_back(i);
+    if (std::abs(net.nodes[i][axis] - position) <= tolerance) nodes.push_back(i);
   std::ranges::stable_sort(nodes, {}, [&](std::size_t i) { return net.nodes[i][1 - axis]; });
   return nodes;
 }

@@ -83,13 +83,19 @@ std::string one_of(const Options& table, std::initializer_list<const char*> keys
   return found;
 }
 
-void add_forces(const Options& table, const Net& net, std::span<double> forces) {
+std::string counted(std::size_t count, const char* what) {
+  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+}
+
+// Returns what was selected, for people, as the other two do.
+std::string add_forces(const Options& table, const Net& net, std::span<double> forces) {
   const std::vector<std::size_t> nodes = select_nodes(table, net);
   const std::string key = one_of(table, {"force", "total"});
   const std::vector<double> force = table.numbers(key);
   const double share = key == "total" ? 1.0 / static_cast<double>(nodes.size()) : 1.0;
   for (const std::size_t node : nodes)
     for (std::size_t axis = 0; axis < 2; ++axis) forces[2 * node + axis] += share * force[axis];
+  return fmt::format("force on {}: {}", describe_selection(table), counted(nodes.size(), "node"));
 }
 
 // A constant traction pulls with t · length · traction, whatever the direction of the edge.
@@ -101,14 +107,14 @@ void add_traction(const Net& net, const OutlinePiece& piece, const std::vector<d
     for (std::size_t axis = 0; axis < 2; ++axis) forces[2 * node + axis] += half * traction[axis];
 }
 
-void add_tractions(const Options& table, const Net& net, std::span<double> forces) {
+std::string add_tractions(const Options& table, const Net& net, std::span<double> forces) {
   const std::vector<std::size_t> nodes = select_nodes(table, net);
   const std::string key = one_of(table, {"traction", "pressure", "stress"});
   const auto selected = [&](std::size_t node) { return std::ranges::binary_search(nodes, node); };
-  bool any = false;
+  std::size_t pieces = 0;
   for_each_outline_piece(net, [&](const OutlinePiece& piece) {
     if (!selected(piece.from) || !selected(piece.to)) return;
-    any = true;
+    ++pieces;
     if (key == "traction") {
       add_traction(net, piece, table.numbers(key), forces);
     } else if (key == "pressure") {
@@ -119,11 +125,17 @@ void add_tractions(const Options& table, const Net& net, std::span<double> force
       add_stress(net, piece, {s[0], s[1], s[2]}, forces);
     }
   });
-  if (!any)
-    throw InputError(table.values().source,
-                     net.body.has_outline()
-                         ? "no two neighbours on an outline are selected here, so there is no edge to pull at"
-                         : "a traction needs a body with an outline to pull at; this one has none: give forces");
+  if (pieces == 0)
+    throw InputError(
+        table.values().source,
+        net.body.has_outline()
+            ? fmt::format("no two neighbours on an outline are selected here, by {}, which takes {}: there is no edge "
+                          "to pull at",
+                          describe_selection(table), counted(nodes.size(), "node"))
+            : "a traction needs a body with an outline to pull at, and this one has none; describe it, as by body = { "
+              "size = [4, 4] }, or give forces");
+  return fmt::format("{} on {}: {}, {} of the outline", key, describe_selection(table), counted(nodes.size(), "node"),
+                     counted(pieces, "piece"));
 }
 
 struct Held {
@@ -132,13 +144,14 @@ struct Held {
   Source source;
 };
 
-void add_supports(const Options& table, const Net& net, std::map<std::size_t, Held>& held) {
+std::string add_supports(const Options& table, const Net& net, std::map<std::size_t, Held>& held) {
   const std::string& fix = table.text("fix");
   const bool measured = table.boolean("measured");
   if (measured && table.has("displacement"))
     throw InputError(table.values().source, "'measured' and 'displacement' exclude each other");
   const std::vector<double> at = table.has("displacement") ? table.numbers("displacement") : std::vector{0.0, 0.0};
-  for (const std::size_t node : select_nodes(table, net)) {
+  const std::vector<std::size_t> nodes = select_nodes(table, net);
+  for (const std::size_t node : nodes) {
     for (std::size_t axis = 0; axis < 2; ++axis) {
       if (fix.find("xy"[axis]) == std::string::npos) continue;
       const Held wanted{measured ? 0.0 : at[axis], measured, table.values().source};
@@ -150,15 +163,17 @@ void add_supports(const Options& table, const Net& net, std::map<std::size_t, He
                                      net.id(node), "xy"[axis], earlier -> second.source.text()));
     }
   }
+  return fmt::format("support of {}: {}", describe_selection(table), counted(nodes.size(), "node"));
 }
 
 OwnCase read_case(const Options& table, const Net& net) {
   OwnCase result{table.text("name"), std::vector<double>(2 * net.nodes.size(), 0.0), {}, {}, table.values().source};
   if (result.name.empty()) throw InputError(table.at("name").source, "the name of a load may not be empty");
   std::map<std::size_t, Held> held;
-  for (const Options& support : table.tables("supports")) add_supports(support, net, held);
-  for (const Options& force : table.tables("forces")) add_forces(force, net, result.forces);
-  for (const Options& traction : table.tables("tractions")) add_tractions(traction, net, result.forces);
+  const auto note = [&](std::string selection) { result.selections.push_back(std::move(selection)); };
+  for (const Options& support : table.tables("supports")) note(add_supports(support, net, held));
+  for (const Options& force : table.tables("forces")) note(add_forces(force, net, result.forces));
+  for (const Options& traction : table.tables("tractions")) note(add_tractions(traction, net, result.forces));
   bool moved = std::ranges::any_of(result.forces, [](double f) { return f != 0.0; });
   for (const auto& [freedom, hold] : held) {
     result.supports.push_back({freedom / 2, freedom % 2, hold.value});
@@ -166,9 +181,12 @@ OwnCase read_case(const Options& table, const Net& net) {
     moved = moved || hold.measured || hold.value != 0.0;
   }
   if (!moved)
-    throw InputError(result.source, fmt::format("nothing pulls or moves in load '{}': give it forces, tractions, or "
-                                                "supports with a displacement",
-                                                result.name));
+    throw InputError(
+        result.source,
+        fmt::format("nothing pulls or moves in load '{}': give it forces = [{{ near = [4, 0], force = [0, -1] }}], "
+                    "tractions = [{{ edge = \"right\", traction = [1, 0] }}], or supports that move, as {{ edge = "
+                    "\"right\", displacement = [0.1, 0] }}",
+                    result.name));
   return result;
 }
 

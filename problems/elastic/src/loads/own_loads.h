@@ -20,6 +20,7 @@ struct OwnCase {
   std::vector<Support> supports;              ///< ascending freedoms, each once
   std::vector<std::size_t> held_as_measured;  ///< freedoms among them whose value is to come from the reference
   Source source;
+  std::vector<std::string> selections = {};  ///< what each selection took, for people
 };
 
 /// The fields of one entry of `cases`.

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "body/ties.h"
 #include "loads/outline_forces.h"
 
 namespace nodal::elastic {
@@ -80,12 +81,13 @@ class PlateLoads {
   }
 
   // The node of an edge nearest to the middle of the body's box; ties go to the lower index.
-  std::size_t middle_of(std::vector<std::size_t> nodes, std::size_t axis) const {
+  std::size_t middle_of(const std::vector<std::size_t>& nodes, std::size_t axis) const {
     const double middle = box_.low[1 - axis] + 0.5 * (box_.high[1 - axis] - box_.low[1 - axis]);
-    std::ranges::sort(nodes);
-    return *std::ranges::min_element(nodes, {},
-                                     [&](std::size_t i) { return std::abs(net_.nodes[i][1 - axis] - middle); });
+    return least_by(nodes, tie(), [&](std::size_t i) { return std::abs(net_.nodes[i][1 - axis] - middle); });
   }
+
+  // Distances that differ by less are equal.
+  double tie() const { return kPlaceRounding * box_.size(); }
 
   // A stress around the body, except between two nodes of the edge `left_out`.
   std::vector<double> forces(const Stress& stress, const std::vector<std::size_t>& left_out) const {
@@ -119,22 +121,14 @@ class PlateLoads {
   }
 
   // The nodes that hold rigid motions: lowest, leftmost of those; and farthest from it in x, lowest of those. Nodes on
-  // one edge count as equally low.
+  // one edge, twice the tolerance apart at most, count as equally low and as equally far.
   std::pair<std::size_t, std::size_t> held_pair() const {
-    const double tolerance = kOnOutline * box_.size();
-    const std::vector<std::size_t>& nodes = net_.outlines[0];
-    std::size_t pin = nodes[0];
-    for (const std::size_t i : nodes) {
-      const double lower = net_.nodes[pin][kY] - net_.nodes[i][kY];
-      if (lower > tolerance || (lower >= -tolerance && net_.nodes[i][kX] < net_.nodes[pin][kX])) pin = i;
-    }
-    const auto away = [&](std::size_t i) { return std::abs(net_.nodes[i][kX] - net_.nodes[pin][kX]); };
-    std::size_t roller = pin;
-    for (const std::size_t i : nodes) {
-      const double farther = away(i) - away(roller);
-      if (farther > tolerance || (farther >= -tolerance && net_.nodes[i][kY] < net_.nodes[roller][kY])) roller = i;
-    }
-    return {pin, roller};
+    const double edge = std::max(tie(), 2.0 * outline_tolerance(net_.body));
+    const auto x = [&](std::size_t i) { return net_.nodes[i][kX]; };
+    const auto y = [&](std::size_t i) { return net_.nodes[i][kY]; };
+    const std::size_t pin = least_by(all_least_by(net_.outlines[0], edge, y), tie(), x);
+    const auto nearer = [&](std::size_t i) { return -std::abs(x(i) - x(pin)); };
+    return {pin, least_by(all_least_by(net_.outlines[0], edge, nearer), tie(), y)};
   }
 
   Stress stretch_strain(std::size_t axis) const {
@@ -164,6 +158,7 @@ class PlateLoads {
   static void add(LoadSet& set, std::string name, std::vector<double> forces, std::vector<double> reference,
                   SupportGroup group) {
     sort_supports(group);
+    for (const Support& s : group.supports) reference[2 * s.node + s.axis] = s.value;  // to the last digit
     set.loads.push_back({std::move(name), set.groups.size(), std::move(forces), std::move(reference)});
     set.groups.push_back(std::move(group));
   }
@@ -175,6 +170,21 @@ class PlateLoads {
 };
 
 }  // namespace
+
+bool has_edges_to_hold(const Net& net) {
+  if (!net.body.has_outline()) return false;
+  for (const std::size_t axis : {kX, kY}) {
+    std::vector<std::size_t> low = box_side_nodes(net, axis, End::low);
+    std::ranges::sort(low);
+    const auto on = [&](std::size_t node) { return std::ranges::binary_search(low, node); };
+    bool straight = false;
+    for_each_outline_piece(net, [&](const OutlinePiece& piece) {
+      straight = straight || (piece.ring == 0 && on(piece.from) && on(piece.to));
+    });
+    if (!straight) return false;
+  }
+  return true;
+}
 
 LoadSet make_plate_loads(const Net& net, const Material& material, double stress, SupportStyle style) {
   const PlateLoads plate(net, material, stress);

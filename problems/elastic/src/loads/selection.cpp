@@ -7,8 +7,10 @@
 #include <optional>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "body/segment.h"
+#include "body/ties.h"
 #include "files/node_names.h"
 #include "loads/outline_forces.h"
 
@@ -31,7 +33,7 @@ Nodes in_box(const Value& value, const Net& net) {
     throw InputError(value.source, fmt::format("'box' is [{}, {}, {}, {}]; it must be [x0, y0, x1, y1] with x0 ≤ x1 "
                                                "and y0 ≤ y1",
                                                b[0], b[1], b[2], b[3]));
-  const double slack = kOnOutline * bounding_box(net.nodes).size();
+  const double slack = net.body.on_outline * bounding_box(net.nodes).size();
   Nodes nodes;
   for (std::size_t i = 0; i < net.nodes.size(); ++i) {
     const Point& p = net.nodes[i];
@@ -51,10 +53,11 @@ std::optional<std::size_t> number_after(const std::string& name, std::string_vie
   return number;
 }
 
-// The nodes of ring 0 on one of its straight sides.
-Nodes on_side(const Net& net, std::size_t side) {
+// The nodes of ring 0 on one of its straight sides, by the number that the user knows it by.
+Nodes on_side(const Net& net, std::size_t number) {
   const Ring& ring = net.body.rings[0];
-  const double tolerance = kOnOutline * bounding_box(ring).size();
+  const std::size_t side = net.body.side(0, number);
+  const double tolerance = outline_tolerance(net.body);
   Nodes nodes;
   for (const std::size_t i : net.outlines[0])
     if (distance_to_segment(net.nodes[i], ring[side], ring[(side + 1) % ring.size()]) <= tolerance) nodes.push_back(i);
@@ -65,7 +68,8 @@ Nodes on_edge(const Value& value, const Net& net) {
   const std::string& name = value.text();
   if (!net.body.has_outline())
     throw InputError(value.source, fmt::format("edge '{}' needs a body with an outline; this one has none: select by "
-                                               "'nodes' or 'box', or describe the 'body'",
+                                               "nodes = [1, 2] or box = [x0, y0, x1, y1], or describe it, as by body = "
+                                               "{{ size = [4, 4] }}",
                                                name));
   if (name == "left") return box_side_nodes(net, 0, End::low);
   if (name == "right") return box_side_nodes(net, 0, End::high);
@@ -85,9 +89,24 @@ Nodes on_edge(const Value& value, const Net& net) {
 
 Nodes nearest_to(const Value& value, const Net& net) {
   const std::vector<double> p = value.numbers();
+  const double size = bounding_box(net.nodes).size();
   Nodes all(net.nodes.size());
   std::iota(all.begin(), all.end(), std::size_t{0});
-  return {*std::ranges::min_element(all, {}, [&](std::size_t i) { return distance(net.nodes[i], {p[0], p[1]}); })};
+  const auto away = [&](std::size_t i) { return distance(net.nodes[i], {p[0], p[1]}); };
+  const std::size_t nearest = least_by(all, kPlaceRounding * size, away);
+  if (!(away(nearest) <= size))
+    throw InputError(
+        value.source,
+        fmt::format("there is no node near ({}, {}): the nearest is node {} at ({}, {}), {:.3g} m away, farther than "
+                    "the system is large ({:.3g} m); places are in metres, as the nodes are",
+                    p[0], p[1], net.id(nearest), net.nodes[nearest][0], net.nodes[nearest][1], away(nearest), size));
+  return {nearest};
+}
+
+// What may be the reason that nothing is selected.
+std::string near_miss(const Net& net) {
+  const Box box = bounding_box(net.nodes);
+  return fmt::format("; the nodes lie in [{}, {}, {}, {}]", box.low[0], box.low[1], box.high[0], box.high[1]);
 }
 
 }  // namespace
@@ -103,8 +122,12 @@ OptionSchema selection_fields() {
       {.name = "edge",
        .type = OptionType::text,
        .help = "those on an edge: left, right, bottom, top (of the bounding box), outline, side-0, side-1, … (straight "
-               "sides of the outline, from its first vertex), hole-1, hole-2, …"},
-      {.name = "near", .type = OptionType::number_list, .unit = "m", .length = 2, .help = "the one nearest to x, y"},
+               "sides of the outline, numbered as it lists them, whichever way round), hole-1, hole-2, …"},
+      {.name = "near",
+       .type = OptionType::number_list,
+       .unit = "m",
+       .length = 2,
+       .help = "the one nearest to x, y, and of several the first; refused farther away than the system is large"},
   };
 }
 
@@ -127,9 +150,31 @@ std::vector<std::size_t> select_nodes(const Options& table, const Net& net) {
   keep("edge", on_edge);
   keep("near", nearest_to);
   const Source& source = table.values().source;
-  if (!selected) throw InputError(source, "say for which nodes: by 'nodes', 'box', 'edge' or 'near'");
-  if (selected->empty()) throw InputError(source, "no node is selected here; look at the nodes with a picture");
+  if (!selected)
+    throw InputError(source,
+                     "say for which nodes: by nodes = [1, 2], box = [x0, y0, x1, y1], edge = \"left\" or "
+                     "near = [x, y]");
+  if (selected->empty())
+    throw InputError(source,
+                     fmt::format("no node is selected here, by {}{}", describe_selection(table), near_miss(net)));
   return *selected;
+}
+
+std::string describe_selection(const Options& table) {
+  constexpr std::size_t kListed = 6;
+  std::string text;
+  for (const char* key : {"nodes", "box", "edge", "near"}) {
+    if (!table.has(key)) continue;
+    const Value& value = table.at(key);
+    text += text.empty() ? key : std::string(" and ") + key;
+    if (value.is_text())
+      text += " " + value.text();
+    else if (value.list().size() <= kListed)
+      text += fmt::format(" [{}]", fmt::join(value.numbers(), ", "));
+    else
+      text += fmt::format(" ({} listed)", value.list().size());
+  }
+  return text;
 }
 
 }  // namespace nodal::elastic

@@ -6,6 +6,7 @@
 /// Several keys together mean their intersection: `edge = "outline", box = [0, 0, 1, 4]` is the part of the outline in
 /// that box.
 
+#include <string>
 #include <vector>
 
 #include <nodal/elastic/net.h>
@@ -18,5 +19,8 @@ namespace nodal::elastic {
 
 /// Ascending. InputError when the table has none of the keys, names what isn't there, or selects no node.
 [[nodiscard]] std::vector<std::size_t> select_nodes(const Options& table, const Net& net);
+
+/// A selection in a phrase, for people: "edge left near [0, 1]".
+[[nodiscard]] std::string describe_selection(const Options& table);
 
 }  // namespace nodal::elastic

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "files/displacement_file.h"
 #include "loads/own_loads.h"
@@ -15,7 +16,7 @@ namespace {
 
 void refuse_key(const Options& table, const char* key, const char* instead) {
   if (table.has(key))
-    throw InputError(table.at(key).source, fmt::format("'{}' belongs to set = 'plate', and this study has 'cases' of "
+    throw InputError(table.at(key).source, fmt::format("'{}' belongs to the plate's loads, and this study has cases of "
                                                        "its own; {}",
                                                        key, instead));
 }
@@ -25,17 +26,29 @@ LoadSet read_plate_loads(const Options& loads, Scene& scene) {
   if (scene.stress == 0.0)
     throw InputError(loads.at("stress").source,
                      "'stress' is 0: the reference displacement is zero everywhere, so there is nothing to fit");
-  const bool minimal = loads.has("supports") && loads.text("supports") == "minimal";
+  const bool chosen = !loads.has("supports");
+  const bool minimal = chosen ? !has_edges_to_hold(scene.net) : loads.text("supports") == "minimal";
   try {
-    return make_plate_loads(scene.net, scene.material, scene.stress,
-                            minimal ? SupportStyle::minimal : SupportStyle::edge);
+    LoadSet set =
+        make_plate_loads(scene.net, scene.material, scene.stress, minimal ? SupportStyle::minimal : SupportStyle::edge);
+    if (chosen)
+      scene.supports_choice =
+          minimal
+              ? "supports = \"minimal\": the body has no straight edges on its left and lower side, as \"edge\" holds"
+              : "supports = \"edge\"";
+    return set;
   } catch (const std::invalid_argument& error) {
     const auto& outlines = scene.net.outlines;
     const bool bare = std::ranges::any_of(outlines, [](const auto& nodes) { return nodes.size() < 2; });
-    const char* advice = outlines.empty() ? "describe the 'body'"
-                         : bare ? "choose points of which some lie on each outline, as 'delaunay' has for any grid"
-                                : "take supports = 'minimal'";
-    throw InputError(loads.values().source, fmt::format("{}; {}, or give 'cases' of your own", error.what(), advice));
+    const char* advice =
+        outlines.empty() ? "describe it, as by body = { size = [4, 4] }"
+        : bare
+            ? "choose points of which some lie on each outline, as springs = { topology = \"delaunay\" } has for any "
+              "grid"
+            : "take loads = { supports = \"minimal\" }";
+    throw InputError(
+        loads.values().source,
+        fmt::format("{}; {}, or describe loads of your own by [[problem.loads.cases]]", error.what(), advice));
   }
 }
 
@@ -94,6 +107,21 @@ std::string summary(const std::string& file, const std::vector<MeasuredLoad>& me
                      measured.size() == 1 ? "" : "s");
 }
 
+// A line per load: what its selections took.
+std::vector<std::string> selections_of(const std::vector<OwnCase>& cases) {
+  constexpr std::size_t kListed = 12;
+  std::vector<std::string> lines;
+  for (const OwnCase& one : cases) {
+    const std::size_t listed = std::min(one.selections.size(), kListed);
+    std::string line = fmt::format(
+        "load '{}': {}", one.name,
+        fmt::join(one.selections.begin(), one.selections.begin() + static_cast<std::ptrdiff_t>(listed), "; "));
+    if (one.selections.size() > listed) line += fmt::format("; and {} more selections", one.selections.size() - listed);
+    lines.push_back(std::move(line));
+  }
+  return lines;
+}
+
 }  // namespace
 
 OptionSchema loads_fields() {
@@ -110,7 +138,7 @@ OptionSchema loads_fields() {
        .help = "of the plate set; not 0"},
       {.name = "supports",
        .type = OptionType::text,
-       .default_text = "edge",
+       .default_text = "edge where the body has straight edges to hold, else minimal",
        .choices = {"edge", "minimal"},
        .help =
            "of the plate set. edge: each load holds a straight edge of the body (Figure 4); minimal: three balanced "
@@ -144,30 +172,33 @@ void read_loads(const Options& problem, const ProblemContext& context, Scene& sc
   std::vector<OwnCase> cases;
   if (own) {
     if (!loads.has("cases") || loads.tables("cases").empty())
-      throw InputError(loads.values().source, "set = 'own' needs 'cases'");
-    refuse_key(loads, "stress", "give each case its tractions");
-    refuse_key(loads, "supports", "give each case its supports");
+      throw InputError(loads.values().source, "set = \"own\" needs load cases, each under [[problem.loads.cases]]");
+    refuse_key(loads, "stress", "give each case tractions = [{ edge = \"right\", traction = [tx, ty] }]");
+    refuse_key(loads, "supports", "give each case supports = [{ edge = \"left\" }]");
     cases = read_own_cases(loads.tables("cases"), scene.net);
     scene.loads = from_cases(cases);
+    scene.selections = selections_of(cases);
   } else {
     if (loads.has("cases"))
-      throw InputError(loads.at("cases").source, "set = 'plate' has no 'cases'; take set = 'own'");
+      throw InputError(loads.at("cases").source, "set = \"plate\" has no cases of its own; leave 'set' out");
     scene.loads = read_plate_loads(loads, scene);
   }
 
   const std::string& method = reference.text("method");
   if (method == "analytic" && reference.has("file"))
-    throw InputError(reference.at("file").source, "method = 'analytic' takes no 'file'");
+    throw InputError(reference.at("file").source, "method = \"analytic\" takes no file; leave 'method' out");
   if (!reference.has("file")) {
     for (const char* key : {"columns", "scale"})
       if (reference.has(key))
         throw InputError(reference.at(key).source, fmt::format("'{}' in 'reference' belongs to a 'file'", key));
-    if (method == "file") throw InputError(reference.values().source, "method = 'file' needs a 'file'");
+    if (method == "file")
+      throw InputError(reference.values().source,
+                       "method = \"file\" needs a file: reference = { file = \"displacements.csv\" }");
     if (own)
       throw InputError(
           reference.values().source,
-          "cases of your own need reference = { file = … }, the displacements to be matched: a closed form "
-          "is known for the plate's loads only");
+          "cases of your own need reference = { file = \"displacements.csv\" }, the displacements to be matched: a "
+          "closed form is known for the plate's loads only");
     return;
   }
   std::vector<std::string> names;

@@ -84,7 +84,7 @@ struct Masses {
 
 /// Least Σ m² among masses that meet the target: m = Aᵀx, A Aᵀ x = p, by a singular value decomposition and refined.
 /// Masses may be zero or negative. Singular values below 1e-9 of the largest (the nodes' places aren't known better,
-/// kOnOutline; more when they lie far from the origin) count as zero.
+/// kPlaceRounding; more when they lie far from the origin) count as zero.
 /// std::invalid_argument for no points, values that are not finite, or a body without mass.
 [[nodiscard]] Masses least_norm_masses(const std::vector<Point>& points, const MassTarget& target);
 

@@ -52,7 +52,7 @@ Eigen::VectorXd scaled_target(const MassTarget& target, const Point& middle, con
 double rank_tolerance(const std::vector<Point>& points, const Point& scale) {
   double farthest = 0.0;
   for (const Point& p : points) farthest = std::max({farthest, std::abs(p[0]), std::abs(p[1])});
-  return kOnOutline + 4.0 * kEpsilon * farthest / std::min(scale[0], scale[1]);
+  return kPlaceRounding + 4.0 * kEpsilon * farthest / std::min(scale[0], scale[1]);
 }
 
 }  // namespace

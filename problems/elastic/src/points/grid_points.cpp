@@ -45,8 +45,8 @@ Lattice make_lattice(const Outline& outline, const Point& spacing, GridCells cel
     if (!(h > 0.0) || !std::isfinite(h))
       throw std::invalid_argument(fmt::format("a grid's spacing must be positive, not {}", h));
   const Box& box = outline.box();
-  const double columns = std::floor(box.width() / step[0] + kOnOutline) + 1.0;
-  const double rows = std::floor(box.height() / step[1] + kOnOutline) + 1.0;
+  const double columns = std::floor((box.width() + outline.tolerance()) / step[0]) + 1.0;
+  const double rows = std::floor((box.height() + outline.tolerance()) / step[1]) + 1.0;
   if (!(columns * rows <= kMostNodes))
     throw std::invalid_argument(
         fmt::format("a spacing of {} × {} asks for a grid of {:.3g} nodes; at most four million are made", step[0],

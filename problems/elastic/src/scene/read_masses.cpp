@@ -67,7 +67,9 @@ Value read_masses(const Options& masses, Net& net) {
   if (form == "none") return {};
   const Source& source = masses.at("form").source;
   if (!net.body.has_outline())
-    throw InputError(source, "masses need a body with an outline, and this one has none: describe the 'body'");
+    throw InputError(
+        source,
+        "masses need a body with an outline, and this one has none; describe it, as by body = { size = [4, 4] }");
   if (form == "positive" && !triangulation_available())
     throw InputError(source, fmt::format("positive masses need {}", triangulation_library()));
   try {
@@ -77,7 +79,8 @@ Value read_masses(const Options& masses, Net& net) {
                                               : positive_masses(net.nodes, target, region_masses(density, net),
                                                                 masses.number("least_share"));
     if (form == "positive" && found.outcome == MassOutcome::infeasible)
-      throw InputError(source, fmt::format("{}; take form = 'least-norm', or other points", found.message));
+      throw InputError(source,
+                       fmt::format("{}; take masses = {{ form = \"least-norm\" }}, or other points", found.message));
     net.masses = found.masses;
     return report(form, found);
   } catch (const std::invalid_argument& error) {

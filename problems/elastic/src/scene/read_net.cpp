@@ -56,7 +56,8 @@ void join_by(const std::string& topology, const Options& springs, Net& net) {
   }
   if (topology == "voronoi-neighbours") {
     if (!net.body.has_outline())
-      throw std::invalid_argument("Voronoi regions need a body with an outline; take 'delaunay'");
+      throw std::invalid_argument(
+          "Voronoi regions need a body with an outline; take springs = { topology = \"delaunay\" }");
     join(touching_regions(net), net);
     return;
   }

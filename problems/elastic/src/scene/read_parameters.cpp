@@ -88,14 +88,16 @@ ParameterRule read_parameters(const Value& value, const Net& net, const std::vec
     ParameterRule rule = value.is_text() ? ParameterRule(value.text()) : read_table(Options(value), net);
     if (rule.name == "groups") {
       if (groups.empty())
-        throw InputError(value.source, "parameters = 'groups' needs springs = { file = … } with a column 'group'");
+        throw InputError(value.source,
+                         "parameters = \"groups\" needs springs = { file = \"springs.csv\" } with a column 'group'");
       rule.name = "listed";
       rule.group_of_spring = groups;
     }
     (void)Parameters(net, rule);
     return rule;
   } catch (const std::invalid_argument& error) {
-    throw InputError(value.source, fmt::format("{}; take 'each' or 'by-direction'", error.what()));
+    throw InputError(value.source,
+                     fmt::format("{}; take springs = {{ parameters = \"each\" }} or \"by-direction\"", error.what()));
   }
 }
 

@@ -14,6 +14,7 @@
 #include "points/grid_points.h"
 #include "points/iterated_voronoi.h"
 #include "points/random_points.h"
+#include "points/written_places.h"
 #include "scene/exclusive_keys.h"
 #include "triangulation/triangulation.h"
 
@@ -87,8 +88,11 @@ StudyPoints read_counted_grid(const Options& points, const std::string& topology
     }
     return read;
   } catch (const std::invalid_argument& error) {
-    throw InputError(points.values().source,
-                     fmt::format("{}; give a 'spacing', and the grid is clipped to the body", error.what()));
+    throw InputError(
+        points.values().source,
+        fmt::format(
+            "{}; give points = {{ spacing = 0.5 }}, and a grid with such cells, in metres, is clipped to the body",
+            error.what()));
   }
 }
 
@@ -105,7 +109,8 @@ StudyPoints read_clipped_grid(const Options& points, const std::string& topology
                               const Outline& outline) {
   const bool triangular = layout_of(points) == "triangular";
   if (triangular && !points.has("spacing"))
-    throw InputError(points.values().source, "layout 'triangular' needs a 'spacing'");
+    throw InputError(points.values().source,
+                     "layout 'triangular' needs a spacing: points = { layout = \"triangular\", spacing = 0.5 }");
   refuse_both(points, "spacing", "cell");
   refuse_both(points, "counts", points.has("spacing") ? "spacing" : "cell");
   Point cell{};
@@ -172,9 +177,10 @@ RandomPointsOptions read_numbers(const Options& points, const Outline& outline) 
     return share_points(outline, count_of(points, "total"));
   }
   if (!points.has("inner"))
-    throw InputError(points.values().source, fmt::format("layout '{}' needs how many points: 'total', or 'inner' and "
-                                                         "if you like 'border'",
-                                                         layout_of(points)));
+    throw InputError(points.values().source,
+                     fmt::format("layout '{0}' needs how many points: points = {{ layout = \"{0}\", total "
+                                 "= 100 }}, or 'inner' and if you like 'border'",
+                                 layout_of(points)));
   const std::size_t inner = count_of(points, "inner");
   if (points.has("border")) return {.inner = inner, .border = count_of(points, "border")};
   return {.inner = inner, .border = border_as_dense(outline, inner)};
@@ -225,7 +231,8 @@ std::string read_topology(const Options& problem) {
     if (layout == "triangular") return layout;
     if (triangulation_available()) return "delaunay";
     throw InputError(springs.values().source,
-                     fmt::format("topology 'delaunay', which suits these points, needs {}; 'nearest' doesn't",
+                     fmt::format("topology 'delaunay', which suits these points, needs {}; springs = {{ topology = "
+                                 "\"nearest\" }} doesn't",
                                  triangulation_library()));
   }
   const std::string& topology = springs.text("topology");
@@ -238,16 +245,19 @@ std::string read_topology(const Options& problem) {
   }
   if (known->mechanism)
     throw InputError(source, fmt::format("topology '{}' is a mechanism: without diagonals its cells shear without "
-                                         "resistance; take 'single', 'alternating' or 'crossed'",
+                                         "resistance; take springs = {{ topology = \"crossed\" }}, or \"single\" or "
+                                         "\"alternating\"",
                                          topology));
   if (!known->lacks.empty()) throw InputError(source, fmt::format("topology '{}' needs {}", topology, known->lacks));
   const bool fits =
       !is_grid_topology(topology) || (topology == "triangular" ? layout == "triangular" : layout == "grid");
   if (!fits)
-    throw InputError(source, fmt::format("topology '{}' doesn't join points of layout '{}'; take {}", topology, layout,
-                                         layout == "triangular" ? "'triangular' or 'delaunay'"
-                                         : layout == "grid"     ? "'crossed' or 'delaunay'"
-                                                                : "'delaunay'"));
+    throw InputError(source,
+                     fmt::format("topology '{}' doesn't join points of layout '{}'; take springs = {{ topology = {} }}",
+                                 topology, layout,
+                                 layout == "triangular" ? "\"triangular\""
+                                 : layout == "grid"     ? "\"crossed\""
+                                                        : "\"delaunay\""));
   return topology;
 }
 
@@ -256,16 +266,23 @@ StudyPoints read_points(const Options& problem, const ProblemContext& context, c
   const std::string layout = layout_of(points);
   refuse_foreign_keys(points, layout);
   if (layout == "file") {
-    if (!points.has("file")) throw InputError(points.values().source, "layout 'file' needs a 'file' with the nodes");
+    if (!points.has("file"))
+      throw InputError(points.values().source,
+                       "layout 'file' needs a file with the nodes: points = { file = \"nodes.csv\" }");
     StudyPoints read;
     read.net.body = body;
     read_node_file(context.directory / points.text("file"), read.net, read_table_options(points));
+    if (!problem.table("body").has("on_outline"))
+      read.net.body.on_outline = on_outline_as_written(read.net.nodes, body);
     find_border(read.net);
     return read;
   }
   if (!body.has_outline())
-    throw InputError(points.values().source,
-                     fmt::format("layout '{}' needs a body with an outline; this one has none", layout));
+    throw InputError(
+        points.values().source,
+        fmt::format("layout '{}' needs a body with an outline, and this one has none; describe it, as by body = "
+                    "{{ size = [4, 4] }}",
+                    layout));
   // Springs of a file join the nodes that a grid has.
   const std::string topology = !problem.table("springs").has("file") ? read_topology(problem)
                                : layout == "triangular"              ? layout

@@ -34,9 +34,9 @@ bool hold_a_rigid_body(const std::vector<Point>& nodes, const SupportGroup& grou
     motions.row(static_cast<Eigen::Index>(s)) << (along_x ? 1.0 : 0.0), (along_x ? 0.0 : 1.0), (along_x ? -y : x);
   }
   if (group.supports.size() < 3) return false;
-  constexpr double kSamePlace = 1e-9;  // supports nearer to each other than a node's place is known hold no rotation
+  // Supports nearer to each other than that hold no rotation.
   const Eigen::VectorXd singular = Eigen::JacobiSVD<Eigen::MatrixXd>(motions).singularValues();
-  return singular[2] > kSamePlace * singular[0];
+  return singular[2] > kPlaceRounding * singular[0];
 }
 
 // The nodes by what people call them, some of many.
@@ -55,12 +55,13 @@ std::vector<std::string> loads_of(const LoadSet& loads, std::size_t group) {
   return names;
 }
 
-// What would hold a net that isn't rigid whatever holds it.
-std::string advice(const Net& net, const std::vector<std::size_t>& moving) {
+std::string why(const Net& net, bool rigid) {
+  if (rigid) return "the supports don't hold a rigid body: hold three displacements at least";
   std::vector<bool> joined(net.nodes.size(), false);
-  for (const Spring& spring : net.springs) joined[spring.first] = joined[spring.second] = true;
+  for (const Spring& s : net.springs) joined[s.first] = joined[s.second] = true;
   std::vector<std::size_t> alone;
-  std::ranges::copy_if(moving, std::back_inserter(alone), [&](std::size_t node) { return !joined[node]; });
+  for (std::size_t i = 0; i < joined.size(); ++i)
+    if (!joined[i]) alone.push_back(i);
   if (alone.empty()) return "join them by more springs, or look at it with --picture";
   return fmt::format("no spring ends at node{} {}: join {}, or leave {} out", alone.size() == 1 ? "" : "s",
                      named(net, alone), alone.size() == 1 ? "it" : "them", alone.size() == 1 ? "it" : "them");
@@ -88,8 +89,7 @@ void require_rigid(const Net& net, const LoadSet& loads, const Source& source) {
                     fmt::join(loads_of(loads, g), ", "),
                     found.mechanisms == 1 ? "a motion" : fmt::format("{} motions", found.mechanisms),
                     found.mechanisms == 1 ? "s" : "", found.moving.size() == 1 ? "" : "s", named(net, found.moving),
-                    rigid ? "the supports don't hold a rigid body: hold three displacements at least"
-                          : advice(net, found.moving)),
+                    why(net, rigid)),
         net, found.motions.empty() ? std::vector<double>(2 * net.nodes.size(), 0.0) : found.motions.front());
   }
 }

@@ -8,11 +8,13 @@
 #include <cmath>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "body/body_options.h"
 #include "energy_start.h"
 #include "lanes/lane_instructions.h"
 #include "loads/study_loads.h"
+#include "points/written_places.h"
 #include "scene/read_masses.h"
 #include "scene/read_net.h"
 #include "scene/read_parameters.h"
@@ -64,22 +66,32 @@ std::vector<double> stiffness_by_rule(const std::string& rule, const Source& sou
     if (rule == "lattice") return lattice_stiffness(scene.net, scene.material);
     return energy_stiffness(scene, scene.stiffness_bounds);
   } catch (const std::invalid_argument& error) {
-    const char* others = rule == "lattice" ? "'area' or 'energy'" : rule == "area" ? "'energy' or 'paper'" : "'paper'";
-    throw InputError(source, fmt::format("{}; take {} instead", error.what(), others));
+    const char* other = rule == "lattice" ? "area" : rule == "area" ? "energy" : "paper";
+    throw InputError(source, fmt::format("{}; take springs = {{ initial = \"{}\" }}", error.what(), other));
   }
+}
+
+void scale_by(double factor, Scene& scene) {
+  scene.initial_rule += fmt::format(", scaled by its best single factor {:.6g}", factor);
+  for (double& k : scene.initial_stiffness) k *= factor;
 }
 
 void scale_best(const Source& source, Scene& scene) {
   try {
-    const double factor = best_scale(scene, scene.initial_stiffness);
-    scene.initial_rule += fmt::format(", scaled by its best single factor {:.6g}", factor);
-    for (double& k : scene.initial_stiffness) k *= factor;
+    scale_by(best_scale(scene, scene.initial_stiffness), scene);
   } catch (const std::invalid_argument& error) {
-    throw InputError(source, error.what());
+    throw InputError(source, fmt::format("'scale' can't be \"best\": {}", error.what()));
   }
 }
 
-// What a file of springs says, or a rule that suits every net; the paper's on its own plate.
+// Cells of one metre: where k = E t L/4, off by a length everywhere else, is what the paper starts from.
+bool is_the_papers_plate(const Net& net) {
+  const auto one = [](double length) { return std::abs(length - 1.0) <= kPlaceRounding; };
+  return net.grid.columns > 0 && one(net.grid.cell[0]) && one(net.grid.cell[1]);
+}
+
+// What a file of springs says; else the paper's rule, on its own plate as it is, elsewhere times its best factor. A net
+// without such a factor starts all the same, and it is said.
 void read_default_start(const Options& springs, const std::vector<double>& of_file, Scene& scene) {
   if (!of_file.empty()) {
     scene.initial_rule = "as the file of springs says";
@@ -89,7 +101,13 @@ void read_default_start(const Options& springs, const std::vector<double>& of_fi
   }
   scene.initial_rule = "paper";
   scene.initial_stiffness = paper_stiffness(scene.net, scene.material);
-  if (springs.has("file")) scale_best(springs.at("file").source, scene);
+  if (is_the_papers_plate(scene.net) && !springs.has("file")) return;
+  try {
+    scale_by(best_scale(scene, scene.initial_stiffness), scene);
+  } catch (const std::invalid_argument& error) {
+    scene.initial_rule += ", unscaled";
+    scene.findings.push_back(fmt::format("the start has no best scale: {}", error.what()));
+  }
 }
 
 void read_start(const Options& springs, const ProblemContext& context, const std::vector<double>& of_file,
@@ -122,36 +140,47 @@ MovesOptions read_moves(const Options& options, const Scene& scene) {
   if (listed && !Parameters(scene.net, scene.parameter_rule).one_to_one())
     throw InputError(options.at("form").source,
                      fmt::format("'{}' prices one changed spring at a time, and parameters = '{}' ties springs; take "
-                                 "'auto', 'lazy', 'refactor' or 'full'",
+                                 "moves = {{ form = \"auto\" }}, or \"lazy\", \"refactor\" or \"full\"",
                                  moves.form, scene.parameter_rule.name));
   try {
     (void)lane_kernels(1, moves.instructions);
   } catch (const std::invalid_argument& error) {
     throw InputError(options.at("instructions").source,
-                     fmt::format("{}; take 'auto', which is '{}' here", error.what(), best_lane_instructions()));
+                     fmt::format("{}; take moves = {{ instructions = \"auto\" }}, which is '{}' here", error.what(),
+                                 best_lane_instructions()));
   }
   return moves;
 }
 
-// Where nothing that counts moves, every stiffness is as good as another.
-void require_something_to_fit(const Scene& scene, const Source& weights, const Source& loads) {
-  bool moves = false;
+// Where nothing that counts moves, every stiffness is as good as another. What springs don't decide, because it is
+// held, doesn't count.
+void require_something_to_fit(const Scene& scene, const Source& weights, const Source& reference) {
+  bool moves = false, known = false;
   for (const LoadCase& load : scene.loads.loads) {
     const SupportGroup& group = scene.loads.groups[load.group];
+    std::vector<bool> held(load.reference.size(), false);
+    for (const Support& s : group.supports) held[2 * s.node + s.axis] = true;
     for (std::size_t f = 0; f < load.reference.size(); ++f) {
+      if (held[f] || !(group.weight(f) > 0.0)) continue;
+      known = true;
       if (load.reference[f] == 0.0) continue;
       moves = true;
-      const auto held = [f](const Support& s) { return 2 * s.node + s.axis == f; };
-      if (scene.weight_of(f / 2) * group.weight(f) > 0.0 && std::ranges::none_of(group.supports, held)) return;
+      if (scene.weight_of(f / 2) > 0.0) return;
     }
   }
   if (moves)
-    throw InputError(weights,
-                     "no node that moves has a weight: nothing would be fitted; give those a weight that the "
-                     "net has, inner, border or corner nodes");
-  throw InputError(loads,
-                   "the reference displacement is zero everywhere: there is nothing to fit; give the loads a "
-                   "stress");
+    throw InputError(
+        weights,
+        "no node that moves has a weight: nothing would be fitted; the net has moving nodes of a kind whose "
+        "weight is 0, so leave 'weights' out, or give inner, border and corner each more than 0");
+  const std::string where = scene.measured_reference.empty() ? "the reference" : "the table of displacements";
+  if (!known)
+    throw InputError(reference, where +
+                                    " has displacements only where supports hold the nodes: springs decide nothing "
+                                    "there, so nothing would be fitted; measure nodes that are free to move");
+  throw InputError(reference, where +
+                                  " has no displacement but 0 where nodes are free to move: there is nothing to fit, "
+                                  "since any stiff net stays where it is; measure nodes that the loads move");
 }
 
 // The contents of the files that a scene is read from; that of a start counts by the start's values.
@@ -166,6 +195,33 @@ std::string hash_files(const Options& options, const ProblemContext& context) {
 
 }  // namespace
 
+namespace {
+
+// Of nodes that come from a file or a clipped grid: what lies on the outline, and what may be meant to.
+void tell_of_outline(const Options& points, Scene& scene) {
+  const Net& net = scene.net;
+  const bool of_file = points.has("file");
+  if (!net.body.has_outline() || !(of_file || points.has("spacing") || points.has("cell"))) return;
+  if (of_file) {
+    const auto of = [&](NodeKind kind) { return std::ranges::count(net.kinds, kind); };
+    scene.net.remarks.push_back(
+        fmt::format("nodes within {:.3g} m of the outline are on it: {} on sides and {} at corners, {} inside",
+                    outline_tolerance(net.body), of(NodeKind::border), of(NodeKind::corner), of(NodeKind::inner)));
+  }
+  const std::vector<std::size_t> beside = nodes_beside_outline(net);
+  if (beside.empty()) return;
+  constexpr std::size_t kNamed = 5;
+  std::vector<std::int64_t> ids;
+  for (std::size_t i = 0; i < std::min(kNamed, beside.size()); ++i) ids.push_back(net.id(beside[i]));
+  std::string message = fmt::format("{} node{} within {:g} of the body's size of the outline but not on it: {}{}; ",
+                                    beside.size(), beside.size() == 1 ? " is" : "s are", kNearOutline,
+                                    fmt::join(ids, ", "), beside.size() > kNamed ? ", …" : "");
+  message += "no support, traction or weight of an edge counts them; body = { on_outline = 1e-3 } would";
+  (of_file ? scene.findings : scene.net.remarks).push_back(std::move(message));
+}
+
+}  // namespace
+
 Scene make_scene(const Options& options, const ProblemContext& context) {
   Scene scene;
   const char* shape = options.table("points").has("file") ? "none" : "rectangle";
@@ -173,6 +229,7 @@ Scene make_scene(const Options& options, const ProblemContext& context) {
   scene.material = read_material(options);
   StudyNet study = read_net(options, context, body);
   scene.net = std::move(study.net);
+  tell_of_outline(options.table("points"), scene);
   scene.masses = read_masses(options.table("masses"), scene.net);
   read_loads(options, context, scene);
   require_rigid(scene.net, scene.loads, options.table("springs").values().source);
@@ -181,8 +238,9 @@ Scene make_scene(const Options& options, const ProblemContext& context) {
   scene.weights = {weights.number("inner"), weights.number("border"), weights.number("corner")};
   if (scene.weights.inner + scene.weights.border + scene.weights.corner <= 0.0)
     throw InputError(options.table("quality").at("weights").source, "all weights are 0: nothing would be fitted");
+  const Options reference = options.table("reference");
   require_something_to_fit(scene, options.table("quality").at("weights").source,
-                           options.table("loads").values().source);
+                           reference.has("file") ? reference.at("file").source : reference.values().source);
   scene.solver = options.table("equilibrium").text("method");
 
   const Options springs = options.table("springs");

@@ -58,7 +58,7 @@ OptionSchema springs_fields() {
        .help = "of topology nearest: with how many of its nearest nodes each is joined"},
       parameters_option(),
       {.name = "initial", .type = OptionType::text,
-       .default_text = "paper; with a file of springs its stiffnesses, or paper scaled by its best factor", .choices = {"paper", "area", "lattice", "energy"},
+       .default_text = "a file of springs' stiffnesses; else paper, off the paper's own plate (cells of 1 m × 1 m) times its best factor", .choices = {"paper", "area", "lattice", "energy"},
        .help = "rule of the start: paper k = E t s0/4; area (Van Gelder); lattice, exact at ν = 1/3; energy, the minimiser "
                "of a convex energy; or a table with 'rule' and 'scale', or with 'file'",
        .fields = initial_fields(), .or_table = true},

@@ -67,14 +67,28 @@ class Buckets {
       std::ranges::sort(found);
       // What lies outside the rings seen so far is at least this far away.
       const double seen = static_cast<double>(ring) * side_;
-      if (found.size() >= wanted && found[wanted - 1].first <= seen) break;
+      if (found.size() >= wanted && found[wanted - 1].first + tie() <= seen) break;
     }
+    sort_ties(found);
     std::vector<std::size_t> nodes;
     for (std::size_t k = 0; k < std::min(wanted, found.size()); ++k) nodes.push_back(found[k].second);
     return nodes;
   }
 
  private:
+  // Distances that differ by less are equal.
+  double tie() const { return kPlaceRounding * box_.size(); }
+
+  // Equal distances, which rounding has put into any order, by index.
+  void sort_ties(std::vector<std::pair<double, std::size_t>>& found) const {
+    for (auto begin = found.begin(); begin != found.end();) {
+      auto end = begin + 1;
+      while (end != found.end() && end->first - (end - 1)->first <= tie()) ++end;
+      std::ranges::sort(begin, end, {}, &std::pair<double, std::size_t>::second);
+      begin = end;
+    }
+  }
+
   std::size_t count(double length) const { return static_cast<std::size_t>(length / side_) + 1; }
   std::pair<std::size_t, std::size_t> cell_of(const Point& p) const {
     return {std::min(columns_ - 1, static_cast<std::size_t>((p[0] - box_.low[0]) / side_)),

@@ -19,14 +19,28 @@ namespace nodal::elastic {
 /// A vertex is a corner where the outline turns by more than this, unless a study says otherwise.
 inline constexpr double kDefaultCornerTurn = 30.0 / 180.0 * 3.14159265358979323846;
 
+/// A node is on a side or at a corner within this share of the body's size, unless a study says otherwise
+/// (`on_outline`): people write coordinates with six digits.
+inline constexpr double kOnOutline = 1e-6;
+
+/// Places and distances that agree within this share of a size differ by rounding alone.
+inline constexpr double kPlaceRounding = 1e-9;
+
 struct Body {
   std::string name = "";                  ///< for people: "rectangle 4 × 4", "gear.wkt"
   std::vector<Ring> rings;                ///< [0] the outline, counterclockwise; then holes, clockwise
   std::vector<std::string> remarks = {};  ///< what was mended when it was read
   double thickness = 1.0;
   double corner_turn = kDefaultCornerTurn;
+  double on_outline = kOnOutline;  ///< share of the size within which a node is on the outline
+  std::vector<bool> turned = {};   ///< [rings] given the other way round; empty where none was
 
   [[nodiscard]] bool has_outline() const noexcept { return !rings.empty(); }
+  /// The side, from vertex i to the next, that whoever gave the ring calls `number`; both count from 0. A ring that was
+  /// turned round kept its first vertex, so its sides run backwards.
+  [[nodiscard]] std::size_t side(std::size_t ring, std::size_t number) const {
+    return ring < turned.size() && turned[ring] ? rings[ring].size() - 1 - number : number;
+  }
 };
 
 struct Box {
@@ -41,8 +55,10 @@ struct Box {
 /// The smallest box around points; all zero around none.
 [[nodiscard]] Box bounding_box(const std::vector<Point>& points);
 
-/// A node belongs to a side or corner within this share of the body's size.
-inline constexpr double kOnOutline = 1e-9;
+/// The distance within which a point is on the body's outline: `on_outline` of its size, but no more than a
+/// twentieth of half a strip's width, area over perimeter, or every node of a thin strip would be. 0 without an
+/// outline. Cost     one pass over the sides.
+[[nodiscard]] double outline_tolerance(const Body& body);
 
 /// ∫ 1, x, y, x², xy, y² dA.
 struct Moments {

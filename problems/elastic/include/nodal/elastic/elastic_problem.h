@@ -45,10 +45,13 @@ struct Scene {
   std::string initial_rule;                     ///< for `explain`
   std::string solver = "auto";                  ///< auto | lanes | simplicial | supernodal
   double stress = 1.0;                          ///< of the plate loads
-  Value masses;            ///< how well the net's masses have the body's moments; an empty table without masses
-  std::string files_hash;  ///< of the contents of all files that the scene was read from; empty without any
+  Value masses;                    ///< how well the net's masses have the body's moments; an empty table without masses
+  std::string files_hash;          ///< of the contents of all files that the scene was read from; empty without any
   std::string measured_reference;  ///< where the reference comes from, for `explain`; empty for the closed form
   MovesOptions moves = {};
+  std::string supports_choice = {};          ///< of the plate's loads where a study doesn't say, for `explain`
+  std::vector<std::string> selections = {};  ///< a line per load of a study's own: how many nodes selections took
+  std::vector<std::string> findings = {};    ///< what may be wrong with the scene, to be told with every result
 
   /// Of squared differences at a node's free freedoms.
   [[nodiscard]] double weight_of(std::size_t node) const {
@@ -88,7 +91,8 @@ class ElasticProblem final : public Problem {
   [[nodiscard]] std::optional<double> relative_error(double cost) const override;
   [[nodiscard]] std::vector<Stage> stages() const override;
   [[nodiscard]] std::vector<std::string> remarks() const override;
-  /// "voronoi": the iterations that spread the points; "masses": how well they have the body's moments.
+  /// "voronoi": the iterations that spread the points; "masses": how well they have the body's moments; "supports":
+  /// those of the plate's loads where the study doesn't say; "selections" and "findings" of the scene.
   [[nodiscard]] Value details() const override;
   [[nodiscard]] std::string fingerprint() const override;
 

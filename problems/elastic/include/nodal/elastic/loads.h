@@ -59,10 +59,16 @@ enum class SupportStyle {
 /// The plate loads on any body, with their references, which are exact for a homogeneous one. `stress` in Pa.
 ///
 /// edge     the held edges are those on the left and lower side of the bounding box; everything else feels the stress.
+///          The anchor of a stretch is the edge's node nearest to its middle.
 /// minimal  held are the outline's lowest node (the leftmost of several) in x and y, and in y the one farthest from it
 ///          in x (the lowest of several): the two lower corners of a rectangle. The reference is the homogeneous field
 ///          plus the small rigid motion that makes it zero there.
+/// Distances that agree within kPlaceRounding of the body's size are equal, and of equals the lowest index is taken.
 /// std::invalid_argument when an outline has fewer than two nodes, or, for `edge`, a held edge has: says which.
 [[nodiscard]] LoadSet make_plate_loads(const Net& net, const Material& material, double stress, SupportStyle style);
+
+/// Whether the body has a straight edge with two neighbouring nodes on its left and on its lower side: what `edge`
+/// holds.
+[[nodiscard]] bool has_edges_to_hold(const Net& net);
 
 }  // namespace nodal::elastic

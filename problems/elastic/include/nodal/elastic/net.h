@@ -79,8 +79,8 @@ struct Net {
   [[nodiscard]] bool on_corner(std::size_t node) const { return !kinds.empty() && kinds[node] == NodeKind::corner; }
 };
 
-/// Fills `kinds` and `outlines` from where the nodes lie: within 1e-9 of the body's size of its border, or of a corner.
-/// Cost     (nodes + sides) log sides.
+/// Fills `kinds` and `outlines` from where the nodes lie: within outline_tolerance of the body's border, or of a
+/// corner. Cost     (nodes + sides) log sides.
 void find_border(Net& net);
 
 /// Names of the topologies that nodes can be joined by, with one line each; `grid` is listed as a mechanism.
