@@ -197,8 +197,6 @@ ProblemReport make_problem(const NamedProblem& named, const Collection& all) {
   return report;
 }
 
-bool is_failure(End end) { return end == End::failed || end == End::timeout || end == End::crashed; }
-
 }  // namespace
 
 ReportData collect(std::span<const Store> stores) {

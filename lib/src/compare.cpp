@@ -57,16 +57,12 @@ class Comparison {
  private:
   bool interrupted() const { return options_.interrupted && options_.interrupted->load(); }
 
-  static bool failed(const TrialRecord& record) {
-    return record.end == End::failed || record.end == End::timeout || record.end == End::crashed;
-  }
-
   void find_missing() {
     const std::vector<Trial> all = all_trials(study_);
     total_ = all.size();
     for (const Trial& trial : all) {
       if (const TrialRecord* stored = store_.find(trial_key(study_, trial))) {
-        result_.failed += failed(*stored);
+        result_.failed += is_failure(stored->end);
         ++done_;
       } else {
         missing_.push_back(trial);
@@ -79,7 +75,7 @@ class Comparison {
     store_.append(record);
     ++result_.ran;
     ++done_;
-    result_.failed += failed(record);
+    result_.failed += is_failure(record.end);
     if (observer_.finished) observer_.finished(record, done_, total_);
   }
 

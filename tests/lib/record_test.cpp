@@ -48,9 +48,10 @@ TEST(Record, IsOneLineWithTheFieldsInTheirOrder) {
   std::vector<std::string> keys;
   const Value value = full_value();
   for (const auto& [key, part] : value.table()) keys.push_back(key);
-  EXPECT_EQ(keys, (std::vector<std::string>{"schema", "key", "problem", "optimizer", "use", "repeat", "seed", "end",
-                                            "reason", "options", "start", "best", "counts", "work", "seconds", "trace",
-                                            "claimed", "health"}));
+  EXPECT_EQ(keys,
+            (std::vector<std::string>{"schema", "key",     "attempt",    "problem", "optimizer", "use",   "repeat",
+                                      "seed",   "end",     "reason",     "options", "start",     "best",  "counts",
+                                      "work",   "seconds", "conditions", "trace",   "claimed",   "health"}));
 }
 
 TEST(Record, SurvivesTheRoundTripWhenFull) {
@@ -65,7 +66,7 @@ TEST(Record, SurvivesTheRoundTripWhenEmpty) {
   const TrialRecord back = parse_record(to_json_line(record), "line");
   toy::expect_equal(back, record);
   EXPECT_EQ(to_json_line(back), to_json_line(record));
-  EXPECT_FALSE(back.best || back.claimed || back.start.cost || back.health.drift);
+  EXPECT_FALSE(back.conditions || back.best || back.claimed || back.start.cost || back.health.drift);
 }
 
 TEST(Record, SurvivesTheRoundTripWithAnyNumbers) {
@@ -127,14 +128,20 @@ TEST(Record, RefusesALineWithoutAFieldByItsName) {
                            "work.flops",
                            "work.flops_per_value",
                            "seconds.cpu",
+                           "conditions.build",
+                           "conditions.processor",
+                           "conditions.jobs",
+                           "conditions.cores",
                            "claimed.status",
                            "health.refused"})
     EXPECT_EQ(refusal_without(path), "a.jsonl:3: not a trial's record: '" + std::string(path) + "' is missing");
 }
 
 TEST(Record, ReadsALineWithoutWhatWasNotMeasured) {
-  for (const char* path : {"best", "claimed", "start.cost", "start.quality", "best.relative_error", "best.at_bounds", "claimed.cost",
-                           "claimed.x_equals_best", "claimed.evaluations", "health.drift", "health.spread"})
+  for (const char* path :
+       {"best", "claimed", "start.cost", "start.quality", "best.relative_error", "best.at_bounds", "claimed.cost",
+        "claimed.x_equals_best", "claimed.evaluations", "attempt", "conditions", "conditions.beside_others",
+        "conditions.stopped", "health.drift", "health.spread"})
     EXPECT_EQ(refusal_without(path), "(nothing was thrown)") << path;
 }
 
@@ -176,6 +183,42 @@ TEST(Record, OfANewerSchemaIsLeftAlone) {
   value.set("schema", kRecordSchema + 1);
   EXPECT_EQ(toy::message_of<NewerSchemaError>([&] { (void)parse_record(to_json(value), "a.jsonl:3"); }),
             "a.jsonl:3: the record has schema 2, this build reads up to 1; use a newer nodal or another directory");
+}
+
+TEST(Record, SaysNothingOfWhatIsUsual) {
+  TrialRecord record = toy::full_record();
+  record.attempt = 1;
+  record.conditions = Conditions{"b", "p", 1, 2, false, false};
+  const Value value = parse_json(to_json_line(record), "line");
+  EXPECT_EQ(value.find("attempt"), nullptr);
+  EXPECT_EQ(to_json(value.at("conditions")), R"({"build":"b","processor":"p","jobs":1,"cores":2})");
+  toy::expect_equal(parse_record(to_json_line(record), "line"), record);
+}
+
+TrialRecord with_times(double total, double cpu, std::optional<Conditions> conditions = std::nullopt) {
+  TrialRecord record = toy::full_record();
+  record.seconds.total = total;
+  record.seconds.cpu = cpu;
+  record.conditions = std::move(conditions);
+  return record;
+}
+
+TEST(Contamination, IsLessThanNineTenthsOfACoreWhereTheClockCanTell) {
+  EXPECT_EQ(contamination(with_times(1.0, 0.9)), "");
+  EXPECT_EQ(contamination(with_times(1.0, 2.0)), "");
+  EXPECT_EQ(contamination(with_times(1.0, 0.894)), "got 0.89 of a core");
+  EXPECT_EQ(contamination(with_times(0.02, 0.01)), "got 0.50 of a core");
+  EXPECT_EQ(contamination(with_times(0.0199, 0.001)), "");
+  EXPECT_EQ(contamination(TrialRecord{}), "");
+}
+
+TEST(Contamination, IsSharingCoresAndBeingStoppedToo) {
+  EXPECT_EQ(contamination(with_times(1.0, 1.0, Conditions{"b", "p", 2, 2, false, false})), "");
+  EXPECT_EQ(contamination(with_times(1.0, 1.0, Conditions{"b", "p", 2, 1, false, false})), "2 jobs shared 1 core");
+  EXPECT_EQ(contamination(with_times(0.001, 0.0, Conditions{"b", "p", 3, 2, true, true})),
+            "was stopped while it ran; 3 jobs shared 2 cores; another comparison ran beside it");
+  EXPECT_EQ(contamination(with_times(1.0, 0.25, Conditions{"b", "p", 1, 2, false, true})),
+            "was stopped while it ran; got 0.25 of a core");
 }
 
 TEST(Record, NamesEveryEnd) {

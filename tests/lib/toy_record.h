@@ -13,6 +13,7 @@ namespace nodal::toy {
 inline TrialRecord full_record() {
   TrialRecord r;
   r.key = "0123456789abcdef";
+  r.attempt = 2;
   r.problem = "plate";
   r.optimizer = "multi-start L-BFGS – «fast»";
   r.use = "nlopt-lbfgs";
@@ -28,6 +29,7 @@ inline TrialRecord full_record() {
   r.work = {10, 11, 12, 13.5, 6.25};
   r.flops_per_value = 1.25;
   r.seconds = {0.5, 0.3, 0.15, 0.05, 0.4, 0.45};
+  r.conditions = Conditions{"89abcdef01234567", "A Processor @ 3 GHz", 3, 2, true, true};
   r.trace = {{0, 1e-6, 1, 3.5}, {41, 0.4, 40, 0.2}};
   r.claimed = ClaimRecord{0.1, true, 44, "XTOL_REACHED"};
   r.health = {1e-12, 5e-17, 2e-16, 3e-10, 1e4, 2};
@@ -63,6 +65,15 @@ inline void expect_equal(const Seconds& a, const Seconds& b) {
   EXPECT_EQ(all(a), all(b));
 }
 
+inline void expect_equal(const Conditions& a, const Conditions& b) {
+  EXPECT_EQ(a.build, b.build);
+  EXPECT_EQ(a.processor, b.processor);
+  EXPECT_EQ(a.jobs, b.jobs);
+  EXPECT_EQ(a.cores, b.cores);
+  EXPECT_EQ(a.beside_others, b.beside_others);
+  EXPECT_EQ(a.stopped, b.stopped);
+}
+
 inline void expect_equal(const std::vector<TracePoint>& a, const std::vector<TracePoint>& b) {
   ASSERT_EQ(a.size(), b.size());
   for (std::size_t i = 0; i < a.size(); ++i) {
@@ -86,6 +97,7 @@ inline void expect_equal(const Health& a, const Health& b) {
 inline void expect_equal(const TrialRecord& a, const TrialRecord& b) {
   EXPECT_EQ(a.schema, b.schema);
   EXPECT_EQ(a.key, b.key);
+  EXPECT_EQ(a.attempt, b.attempt);
   EXPECT_EQ(a.problem, b.problem);
   EXPECT_EQ(a.optimizer, b.optimizer);
   EXPECT_EQ(a.use, b.use);
@@ -106,6 +118,8 @@ inline void expect_equal(const TrialRecord& a, const TrialRecord& b) {
   expect_equal(a.work, b.work);
   EXPECT_EQ(a.flops_per_value, b.flops_per_value);
   expect_equal(a.seconds, b.seconds);
+  ASSERT_EQ(a.conditions.has_value(), b.conditions.has_value());
+  if (a.conditions) expect_equal(*a.conditions, *b.conditions);
   expect_equal(a.trace, b.trace);
   ASSERT_EQ(a.claimed.has_value(), b.claimed.has_value());
   if (a.claimed) {

@@ -50,6 +50,16 @@ struct Seconds {
   double cpu = 0.0;
 };
 
+/// Under which conditions a trial ran: what its times are worth. Records of 0.1.0 and of `run_trial` alone have none.
+struct Conditions {
+  std::string build;           ///< `build_id` of the program that ran it
+  std::string processor;       ///< as the system names it
+  std::int64_t jobs = 1;       ///< trials that ran at once, at most
+  std::int64_t cores = 1;      ///< that the program was allowed to use
+  bool beside_others = false;  ///< another comparison wrote to the same store meanwhile
+  bool stopped = false;        ///< its process was stopped and continued (Ctrl-Z, SIGSTOP, a frozen container)
+};
+
 struct ClaimRecord {
   std::optional<double> cost;
   std::optional<bool> x_equals_best;
@@ -60,6 +70,7 @@ struct ClaimRecord {
 struct TrialRecord {
   int schema = kRecordSchema;
   std::string key;
+  std::int64_t attempt = 1;        ///< of two records with one key the one of the later attempt counts
   std::string problem, optimizer;  ///< labels
   std::string use;
   int repeat = 0;
@@ -73,11 +84,24 @@ struct TrialRecord {
   Work work;
   double flops_per_value = 0.0;  ///< of one full value (the start's): the unit of "equivalent full values"; in `work`
   Seconds seconds;
+  std::optional<Conditions> conditions;
   std::vector<TracePoint> trace;
   std::optional<ClaimRecord> claimed;
   std::optional<MovesReport> moves;  ///< how single changes were priced; its drift stands in `health`
   Health health;
 };
+
+/// A trial that got less of a processor core than this was disturbed, [1], unless it was so short that the clock can't
+/// tell [s].
+inline constexpr double kLeastCoreShare = 0.9;
+inline constexpr double kShortestToldSeconds = 0.02;
+
+/// Why a trial's times are not to be trusted, for people: "got 0.42 of a core"; several reasons are separated by "; ".
+/// Empty for a clean one. Its other figures hold, unless seconds ended it: then it searched less than it could have.
+[[nodiscard]] std::string contamination(const TrialRecord& record);
+
+/// Ended failed, timeout or crashed.
+[[nodiscard]] bool is_failure(End end) noexcept;
 
 /// A record or store of a newer schema than this build knows: somebody's result, to be left alone.
 class NewerSchemaError : public InputError {
