@@ -76,6 +76,16 @@ void add_budget(CLI::App& command, StudyOverrides& overrides) {
   command.add_option("--seed", overrides.seed, "Seed, instead of the study's");
 }
 
+void add_rerun(CLI::App& command, CompareArguments& to) {
+  CLI::Option* rerun =
+      command
+          .add_option("--rerun", to.rerun,
+                      "Run stored trials again: of these optimizers, those that 'failed', or those that are "
+                      "'contaminated'; the results before stay in their files")
+          ->type_name("LABEL,…");
+  command.add_flag("--fresh", to.fresh, "Run every trial of the study again")->excludes(rerun);
+}
+
 void add_compare(CLI::App& app, const Registry& registry, int& exit) {
   const auto to = std::make_shared<CompareArguments>();
   CLI::App& command =
@@ -88,6 +98,7 @@ void add_compare(CLI::App& app, const Registry& registry, int& exit) {
       .add_option("--only", to->overrides.only,
                   "Only the optimizers with these labels, separated by commas; may be repeated")
       ->type_name("LABEL,…");
+  add_rerun(command, *to);
   add_repeats(command, to->overrides);
   add_budget(command, to->overrides);
   command.add_option("--jobs", to->jobs, "Trials at once; times stay clean with 1 (default)")->check(above_zero());

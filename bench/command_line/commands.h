@@ -15,6 +15,8 @@ namespace nodal {
 struct CompareArguments {
   std::string study, out;  ///< without `out`: results/<name of the study>
   int jobs = 1;
+  std::vector<std::string> rerun;  ///< as CompareOptions has them
+  bool fresh = false;
   StudyOverrides overrides;
 };
 

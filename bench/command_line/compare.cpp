@@ -3,6 +3,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <iostream>
 
 #include <fmt/format.h>
@@ -24,18 +25,31 @@ void say_left_out(const Study& study) {
   for (const std::string& line : report::left_out_lines(study.left_out)) say("left out", line);
 }
 
-CompareResult run(const Study& study, const Registry& registry, Store& store, int jobs) {
+CompareResult run(const Study& study, const Registry& registry, const std::string& directory,
+                  const CompareArguments& arguments) {
+  Store store{directory};
   const StopSignal stop;
   Progress progress(::isatty(STDERR_FILENO) == 1);
   CompareOptions options;
-  options.jobs = jobs;
+  options.jobs = arguments.jobs;
+  options.rerun = arguments.rerun;
+  options.fresh = arguments.fresh;
   options.interrupted = &stop.flag();
   CompareObserver observer;
   observer.began = [&](std::size_t total, std::size_t stored) { progress.began(total, stored); };
   observer.finished = [&](const TrialRecord& record, std::size_t done, std::size_t total) {
     progress.finished(record, done, total);
   };
+  observer.warned = [&](const std::string& warning) { progress.warned(warning); };
   return compare(study, registry, store, options, observer);
+}
+
+// What failed or was contaminated is no more once it has run; what was asked for by name would run from the beginning.
+std::string way_on(const CompareArguments& arguments) {
+  const bool by_name = std::ranges::any_of(
+      arguments.rerun, [](const std::string& word) { return word != "failed" && word != "contaminated"; });
+  if (!arguments.fresh && !by_name) return "the same command goes on from there";
+  return fmt::format("without {} it runs only what was never stored", arguments.fresh ? "--fresh" : "--rerun");
 }
 
 }  // namespace
@@ -45,17 +59,15 @@ int compare_command(const CompareArguments& arguments, const Registry& registry)
   require_comparable(study);  // before anything is written
   say_left_out(study);
   const std::string directory = arguments.out.empty() ? "results/" + study.name : arguments.out;
-  Store store{directory};
-  const CompareResult result = run(study, registry, store, arguments.jobs);
-  for (const std::string& warning : store.warnings()) say("warning", warning);
+  const CompareResult result = run(study, registry, directory, arguments);
   if (result.interrupted) {
-    std::cerr << fmt::format(
-        "interrupted: {} trials of this run are stored in '{}'; the same command goes on from there\n", result.ran,
-        directory);
+    std::cerr << fmt::format("interrupted: {} trials of this run are stored in '{}'; {}\n", result.ran, directory,
+                             way_on(arguments));
     return kExitInterrupted;
   }
+  // Read back: what the report shows is what is on the disk.
   std::vector<Store> stores;
-  stores.push_back(std::move(store));
+  stores.push_back(Store::open_existing(directory));
   write_report(stores, registry, stores.front());
   return result.failed > 0 ? kExitTrialFailed : 0;
 }

@@ -39,6 +39,11 @@ void Progress::finished(const TrialRecord& record, std::size_t done, std::size_t
   std::cerr << fmt::format("[{:>{}}/{}] {}\n", done, digits, total, trial_line(record));
 }
 
+void Progress::warned(const std::string& warning) {
+  close();
+  std::cerr << "warning: " << warning << '\n';
+}
+
 void Progress::close() {
   if (open_) std::cerr << '\n';
   open_ = false;

@@ -20,6 +20,7 @@ class Progress {
 
   void began(std::size_t total, std::size_t stored);
   void finished(const TrialRecord& record, std::size_t done, std::size_t total);
+  void warned(const std::string& warning);
   /// Ends the bar's line, so that other text can follow.
   void close();
 

@@ -18,11 +18,14 @@ StopSignal::StopSignal() {
   action.sa_handler = ask_to_stop;
   sigaction(SIGINT, &action, &former_interrupt_);
   sigaction(SIGTERM, &action, &former_terminate_);
+  sigaction(SIGHUP, nullptr, &former_hang_up_);
+  if (former_hang_up_.sa_handler != SIG_IGN) sigaction(SIGHUP, &action, nullptr);  // nohup means it
 }
 
 StopSignal::~StopSignal() {
   sigaction(SIGINT, &former_interrupt_, nullptr);
   sigaction(SIGTERM, &former_terminate_, nullptr);
+  sigaction(SIGHUP, &former_hang_up_, nullptr);
 }
 
 const std::atomic<bool>& StopSignal::flag() const noexcept { return stop_asked; }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-/// Turns SIGINT and SIGTERM into a flag while it lives, and puts the former handlers back. One at a time.
+/// Turns SIGINT, SIGTERM and SIGHUP (unless ignored, as under nohup) into a flag while it lives, and puts the former
+/// handlers back. One at a time.
 
 #include <signal.h>
 
@@ -20,7 +21,7 @@ class StopSignal {
 
  private:
   struct sigaction former_interrupt_ {
-  }, former_terminate_{};
+  }, former_terminate_{}, former_hang_up_{};
 };
 
 }  // namespace nodal

@@ -9,6 +9,7 @@
 
 #include <cerrno>
 #include <cstring>
+#include <initializer_list>
 #include <system_error>
 
 namespace nodal {
@@ -16,6 +17,8 @@ namespace nodal {
 namespace {
 
 constexpr int kWorkThrew = 70;
+// A killed process is gone at once, unless the kernel waits for a device or a server on its behalf.
+constexpr int kMostMillisecondsToDie = 2000;
 
 bool write_all(int descriptor, std::string_view text) {
   while (!text.empty()) {
@@ -29,14 +32,15 @@ bool write_all(int descriptor, std::string_view text) {
 
 // What the child does; it never returns into the copy of the parent's stack.
 [[noreturn]] void run_child(const std::function<std::string()>& work, int out, pid_t parent) {
-  ::signal(SIGINT, SIG_IGN);
-  ::signal(SIGTERM, SIG_DFL);
+  ::setpgid(0, 0);
+  // Being of a group in the background, it would also be stopped by the terminal for reading and writing there.
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGTTIN, SIGTTOU, SIGTSTP}) ::signal(signal, SIG_IGN);
   ::signal(SIGPIPE, SIG_DFL);  // a program may ignore it for its own output
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (::getppid() != parent) ::_exit(kWorkThrew);  // the parent was gone before the line above
   int status = kWorkThrew;
   try {
-    if (write_all(out, work())) status = 0;
+    if (write_all(out, work() + "\n")) status = 0;
   } catch (...) {
   }
   ::_exit(status);
@@ -44,7 +48,7 @@ bool write_all(int descriptor, std::string_view text) {
 
 }  // namespace
 
-ChildProcess::ChildProcess(const std::function<std::string()>& work, Clock::time_point deadline) : deadline_(deadline) {
+ChildProcess::ChildProcess(const std::function<std::string()>& work) {
   int ends[2];
   if (::pipe2(ends, O_CLOEXEC) != 0) throw std::system_error(errno, std::generic_category(), "pipe");
   const pid_t parent = ::getpid();
@@ -55,40 +59,86 @@ ChildProcess::ChildProcess(const std::function<std::string()>& work, Clock::time
     ::close(ends[1]);
     throw std::system_error(error, std::generic_category(), "fork");
   }
-  if (process_ == 0) run_child(work, ends[1], parent);
+  if (process_ == 0) {
+    ::close(ends[0]);
+    run_child(work, ends[1], parent);
+  }
+  ::setpgid(process_, process_);  // here too: whoever comes first
+  group_ = process_;
   ::close(ends[1]);
   pipe_ = ends[0];
+  ::fcntl(pipe_, F_SETFL, O_NONBLOCK);
 }
 
 ChildProcess::~ChildProcess() {
-  if (process_ > 0) {
-    kill();
-    (void)finish();
-  }
-  if (pipe_ >= 0) ::close(pipe_);
+  kill();
+  close_pipe();
 }
 
-bool ChildProcess::read_more() {
+bool ChildProcess::ended() {
+  look_at_process();
+  read_what_is_there();  // after the look: what a process has sent before it went is not lost
+  return whole_ || process_ < 0;
+}
+
+void ChildProcess::read_what_is_there() {
   char buffer[65536];
-  const ssize_t got = ::read(pipe_, buffer, sizeof buffer);
-  if (got < 0) return errno != EINTR;
-  output_.append(buffer, static_cast<std::size_t>(got));
-  return got == 0;
+  while (!whole_ && pipe_ >= 0) {
+    const ssize_t got = ::read(pipe_, buffer, sizeof buffer);
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0 && errno == EAGAIN) return;
+    if (got <= 0) return close_pipe();
+    output_.append(buffer, static_cast<std::size_t>(got));
+    const std::size_t newline = output_.find('\n', length_);
+    whole_ = newline != std::string::npos;
+    length_ = whole_ ? newline : output_.size();
+  }
 }
 
-std::optional<std::string> ChildProcess::finish() {
+void ChildProcess::look_at_process() {
   int status = 0;
-  while (::waitpid(process_, &status, 0) < 0 && errno == EINTR) {
+  while (process_ > 0) {
+    const pid_t got = ::waitpid(process_, &status, WNOHANG | WUNTRACED | WCONTINUED);
+    if (got == 0) return;
+    if (got < 0) {  // somebody else has waited for it
+      process_ = -1;
+      return;
+    }
+    note(status);
+  }
+}
+
+void ChildProcess::note(int status) {
+  if (WIFSTOPPED(status) || WIFCONTINUED(status)) {
+    is_stopped_ = WIFSTOPPED(status);
+    was_stopped_ = true;
+    return;
   }
   process_ = -1;
-  if (WIFSIGNALED(status))
-    return "signal " + std::to_string(WTERMSIG(status)) + " (" + ::strsignal(WTERMSIG(status)) + ")";
-  if (WEXITSTATUS(status) != 0) return "exit status " + std::to_string(WEXITSTATUS(status));
-  return std::nullopt;
+  died_of_signal_ = WIFSIGNALED(status);
+  if (died_of_signal_)
+    death_ = "signal " + std::to_string(WTERMSIG(status)) + " (" + ::strsignal(WTERMSIG(status)) + ")";
+  else if (WEXITSTATUS(status) != 0)
+    death_ = "exit status " + std::to_string(WEXITSTATUS(status));
 }
 
 void ChildProcess::kill() noexcept {
+  if (group_ <= 0) return;
+  ::kill(-group_, SIGKILL);
   if (process_ > 0) ::kill(process_, SIGKILL);
+  for (int waited = 0; process_ > 0 && waited < kMostMillisecondsToDie; ++waited) {
+    const pid_t got = ::waitpid(process_, nullptr, WNOHANG);
+    if (got != 0)
+      process_ = -1;
+    else
+      ::usleep(1000);
+  }
+  group_ = -1;
+}
+
+void ChildProcess::close_pipe() noexcept {
+  if (pipe_ >= 0) ::close(pipe_);
+  pipe_ = -1;
 }
 
 }  // namespace nodal

@@ -1,51 +1,45 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <nodal/compare.h>
 
-#include <poll.h>
-
 #include <algorithm>
-#include <memory>
+#include <deque>
+#include <thread>
 #include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 
-#include "child_process.h"
+#include <nodal/provenance.h>
+
+#include "rerun.h"
+#include "running_trials.h"
 
 namespace nodal {
 
 namespace {
 
-using Clock = ChildProcess::Clock;
+using Clock = RunningTrials::Clock;
 
-// A method may look at the clock as seldom as its library lets it; one this late hangs.
-constexpr double kDeadlineFactor = 10.0;
-// Nobody said how long a trial may take.
-constexpr double kDeadlineWithoutSeconds = 24.0 * 3600.0;
-// As long as the clock's nanoseconds can count with room to spare: 31 years.
-constexpr double kLatestDeadlineSeconds = 1e9;
-// How long an interrupt may go unseen while children run.
-constexpr double kLookSeconds = 0.1;
-
-double seconds_allowed(const Study& study, double grace_seconds) {
-  if (!study.budget.seconds) return kDeadlineWithoutSeconds;
-  return std::min(kDeadlineFactor * *study.budget.seconds + grace_seconds, kLatestDeadlineSeconds);
-}
-
-struct Running {
-  Trial trial;
-  std::unique_ptr<ChildProcess> child;
-};
+// Some tools stop and continue processes all the time to slow them down: their trials must end, too.
+constexpr int kMostStops = 3;
 
 class Comparison {
  public:
   Comparison(const Study& study, const Registry& registry, Store& store, const CompareOptions& options,
              const CompareObserver& observer)
-      : study_(study), registry_(registry), store_(store), options_(options), observer_(observer) {}
+      : study_(study),
+        registry_(registry),
+        store_(store),
+        options_(options),
+        observer_(observer),
+        rerun_(read_rerun(study, options.rerun, options.fresh)) {}
 
   CompareResult run() {
     store_.begin(study_);
+    for (const std::string& warning : store_.warnings()) warn(warning);
+    look_for_others();
     find_missing();
+    describe_conditions();
     if (options_.isolate)
       run_children();
     else
@@ -55,23 +49,59 @@ class Comparison {
   }
 
  private:
+  struct Missing {
+    Trial trial;
+    std::int64_t attempt = 1;
+    int stops = 0;
+  };
+
   bool interrupted() const { return options_.interrupted && options_.interrupted->load(); }
+
+  void warn(const std::string& warning) const {
+    if (observer_.warned) observer_.warned(warning);
+  }
 
   void find_missing() {
     const std::vector<Trial> all = all_trials(study_);
     total_ = all.size();
     for (const Trial& trial : all) {
-      if (const TrialRecord* stored = store_.find(trial_key(study_, trial))) {
+      const TrialRecord* stored = store_.find(trial_key(study_, trial));
+      if (stored && !rerun_.means(*stored)) {
         result_.failed += is_failure(stored->end);
         ++done_;
       } else {
-        missing_.push_back(trial);
+        missing_.push_back({trial, stored ? stored->attempt + 1 : 1});
       }
     }
     if (observer_.began) observer_.began(total_, done_);
   }
 
-  void keep(const TrialRecord& record) {
+  void describe_conditions() {
+    const Value here = provenance();
+    const std::size_t jobs = options_.isolate ? static_cast<std::size_t>(std::max(1, options_.jobs)) : 1;
+    conditions_.build = build_id(here);
+    conditions_.processor = here.at("processor").text();
+    conditions_.jobs = static_cast<std::int64_t>(std::min(jobs, std::max<std::size_t>(1, missing_.size())));
+    conditions_.cores = std::max(1u, std::thread::hardware_concurrency());
+  }
+
+  void look_for_others() {
+    const std::optional<int> other = store_.other_writer();
+    if (!other) return;
+    if (!others_seen_)
+      warn(
+          fmt::format("another comparison (process {}) writes to '{}' now: both may run the same trials, and times "
+                      "taken meanwhile are marked as contaminated",
+                      *other, store_.directory().string()));
+    others_seen_ = Clock::now();
+  }
+
+  void keep(TrialRecord record, const Missing& entry, Clock::time_point began, bool stopped) {
+    look_for_others();
+    record.attempt = entry.attempt;
+    record.conditions = conditions_;
+    record.conditions->beside_others = others_seen_ && *others_seen_ >= began;
+    record.conditions->stopped = stopped;
     store_.append(record);
     ++result_.ran;
     ++done_;
@@ -105,63 +135,41 @@ class Comparison {
   }
 
   void run_here() {
-    for (const Trial& trial : missing_) {
+    for (const Missing& entry : missing_) {
       if (interrupted()) return;
-      keep(parse_record(run_to_line(trial), "trial"));
+      const Clock::time_point began = Clock::now();
+      keep(parse_record(run_to_line(entry.trial), "trial"), entry, began, false);
     }
   }
 
   void run_children() {
-    std::size_t next = 0;
-    while (!interrupted() && (next < missing_.size() || !running_.empty())) {
-      while (next < missing_.size() && running_.size() < static_cast<std::size_t>(std::max(1, options_.jobs)))
-        start(missing_[next++]);
-      wait();
+    std::deque<std::size_t> next;  // indices of `missing_`
+    for (std::size_t i = 0; i < missing_.size(); ++i) next.push_back(i);
+    RunningTrials running(
+        study_, [this](const Trial& trial) { return run_to_line(trial); }, options_.grace_seconds);
+    while (!interrupted() && (!next.empty() || running.size() > 0)) {
+      while (!next.empty() && running.size() < static_cast<std::size_t>(std::max(1, options_.jobs))) {
+        running.start(missing_[next.front()].trial, next.front());
+        next.pop_front();
+      }
+      for (EndedTrial& ended : running.wait()) {
+        // Whoever interrupts this process may have ended its children, too: they have not crashed.
+        if (interrupted() && ended.record.end == End::crashed) continue;
+        if (run_again(ended))
+          next.push_front(ended.ticket);
+        else
+          keep(std::move(ended.record), missing_[ended.ticket], ended.began, ended.stopped);
+      }
+      look_for_others();
     }
-    running_.clear();  // kills what an interrupt left running: it is not stored and runs again next time
+    // What an interrupt left running is killed here: it is not stored and runs again next time.
   }
 
-  void start(const Trial& trial) {
-    const std::chrono::duration<double> allowed(seconds_allowed(study_, options_.grace_seconds));
-    const Clock::time_point deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(allowed);
-    running_.push_back({trial, std::make_unique<ChildProcess>([this, trial] { return run_to_line(trial); }, deadline)});
-  }
-
-  // Until a child says something, reaches its deadline, or it is time to look for an interrupt.
-  void wait() {
-    std::vector<pollfd> descriptors;
-    for (const Running& entry : running_) descriptors.push_back({entry.child->descriptor(), POLLIN, 0});
-    ::poll(descriptors.data(), descriptors.size(), static_cast<int>(1000.0 * kLookSeconds));
-    for (std::size_t i = running_.size(); i-- > 0;) {
-      ChildProcess& child = *running_[i].child;
-      const bool ended = descriptors[i].revents != 0 && child.read_more();
-      const bool late = !ended && Clock::now() > child.deadline();
-      if (!ended && !late) continue;
-      const Running entry = std::move(running_[i]);
-      running_.erase(running_.begin() + static_cast<std::ptrdiff_t>(i));
-      keep(late ? hung(entry) : collect(entry));
-    }
-  }
-
-  TrialRecord hung(const Running& entry) const {
-    entry.child->kill();
-    (void)entry.child->finish();
-    return lost_trial(
-        study_, entry.trial, End::timeout,
-        fmt::format("killed after {:g} s: it did not stop by itself", seconds_allowed(study_, options_.grace_seconds)));
-  }
-
-  TrialRecord collect(const Running& entry) const {
-    if (const std::optional<std::string> death = entry.child->finish())
-      return lost_trial(study_, entry.trial, End::crashed, "the trial's process died: " + *death);
-    if (entry.child->output().empty())
-      return lost_trial(study_, entry.trial, End::crashed, "the trial's process ended without a record");
-    try {
-      return parse_record(entry.child->output(), "trial");
-    } catch (const InputError& error) {
-      return lost_trial(study_, entry.trial, End::crashed,
-                        fmt::format("the trial's process sent no record: {}", error.what()));
-    }
+  bool run_again(const EndedTrial& ended) {
+    if (!ended.stopped || ++missing_[ended.ticket].stops > kMostStops) return false;
+    warn(fmt::format("{}, repeat {}, was stopped and continued while it ran: it runs again", ended.record.optimizer,
+                     ended.record.repeat));
+    return true;
   }
 
   const Study& study_;
@@ -169,8 +177,10 @@ class Comparison {
   Store& store_;
   const CompareOptions& options_;
   const CompareObserver& observer_;
-  std::vector<Trial> missing_;
-  std::vector<Running> running_;
+  Rerun rerun_;
+  Conditions conditions_;
+  std::vector<Missing> missing_;
+  std::optional<Clock::time_point> others_seen_;
   std::size_t total_ = 0, done_ = 0;
   CompareResult result_;
 };

@@ -22,6 +22,12 @@ void refuse_write(const fs::path& path, int error) {
       fmt::format("cannot write '{}': {}; what was stored before stays valid", path.string(), std::strerror(error)));
 }
 
+void make_directory(const fs::path& path) {
+  std::error_code error;
+  fs::create_directories(path, error);
+  if (error) refuse_write(path, error.value());
+}
+
 FileDescriptor::FileDescriptor(const fs::path& path, int flags, mode_t mode, fs::path shown)
     : shown_(std::move(shown)), descriptor_(::open(path.c_str(), flags | O_CLOEXEC, mode)) {
   if (descriptor_ < 0) refuse_write(shown_, errno);
@@ -48,6 +54,14 @@ off_t FileDescriptor::size() const noexcept {
   return ::fstat(descriptor_, &status) == 0 ? status.st_size : 0;
 }
 
-void FileDescriptor::cut_to(off_t size) noexcept { [[maybe_unused]] const int ignored = ::ftruncate(descriptor_, size); }
+bool FileDescriptor::ends_a_line() const noexcept {
+  char last = '\n';
+  const off_t length = size();
+  return length == 0 || ::pread(descriptor_, &last, 1, length - 1) != 1 || last == '\n';
+}
+
+void FileDescriptor::cut_to(off_t size) noexcept {
+  [[maybe_unused]] const int ignored = ::ftruncate(descriptor_, size);
+}
 
 }  // namespace nodal

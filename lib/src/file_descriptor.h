@@ -13,10 +13,13 @@ namespace nodal {
 /// StoreError "cannot write '<path>': <why>", and what became of the content before.
 [[noreturn]] void refuse_write(const std::filesystem::path& path, int error);
 
+/// With all above it; StoreError.
+void make_directory(const std::filesystem::path& path);
+
 class FileDescriptor {
  public:
-  /// Opened for writing with `flags`. `shown` stands in messages: a temporary file is spoken of by the name that it will
-  /// have. StoreError.
+  /// Opened for writing with `flags`. `shown` stands in messages: a temporary file is spoken of by the name that it
+  /// will have. StoreError.
   FileDescriptor(const std::filesystem::path& path, int flags, mode_t mode, std::filesystem::path shown);
   ~FileDescriptor();
   FileDescriptor(const FileDescriptor&) = delete;
@@ -28,6 +31,8 @@ class FileDescriptor {
   /// To the disk; StoreError.
   void flush();
   [[nodiscard]] off_t size() const noexcept;
+  /// Empty, or its last byte is a newline. Needs a descriptor that can read.
+  [[nodiscard]] bool ends_a_line() const noexcept;
   /// Back to where a line began, so that a line cut off by a full disk does not swallow the next one.
   void cut_to(off_t size) noexcept;
 

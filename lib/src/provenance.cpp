@@ -9,6 +9,11 @@
 #include <mutex>
 #include <thread>
 
+#include <fmt/format.h>
+
+#include <nodal/random.h>
+
+#include "program_hash.h"
 #include "revision.h"
 
 namespace nodal {
@@ -76,6 +81,7 @@ Value provenance() {
   result.set("flags", NODAL_FLAGS);
   result.set("build_type", NODAL_BUILD_TYPE);
   result.set("libraries", used);
+  for (const auto& [key, part] : program_hashes().table()) result.set(key, part);
   result.set("processor", processor_name());
   result.set("threads", static_cast<std::int64_t>(std::thread::hardware_concurrency()));
   result.set("environment", environment());
@@ -85,9 +91,16 @@ Value provenance() {
 
 std::string build_identity(const Value& provenance) {
   Value identity;
-  for (const char* key : {"version", "revision", "compiler", "flags", "build_type", "libraries"})
+  for (const char* key : {"version", "revision", "compiler", "flags", "build_type", "libraries", "executable"})
     if (const Value* part = provenance.find(key)) identity.set(key, *part);
+  if (const Value* objects = provenance.find("objects"); objects && objects->is_table()) {
+    Value::List hashes;  // not their paths: a build may be moved
+    for (const auto& [path, hash] : objects->table()) hashes.push_back(hash);
+    identity.set("objects", Value(std::move(hashes)));
+  }
   return to_canonical_json(identity);
 }
+
+std::string build_id(const Value& provenance) { return fmt::format("{:016x}", hash64(build_identity(provenance))); }
 
 }  // namespace nodal

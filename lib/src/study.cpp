@@ -11,6 +11,8 @@
 #include <nodal/shown.h>
 #include <nodal/toml.h>
 
+#include "optimizer_choice.h"
+
 namespace nodal {
 
 namespace {
@@ -217,35 +219,12 @@ class StudyReader {
     taken.emplace_back(label, entry.source);
   }
 
-  // A label that holds a comma is meant as it stands; else commas separate labels.
-  std::vector<std::string> wanted_labels(const std::vector<std::string>& labels) const {
-    std::vector<std::string> wanted;
-    for (const std::string& entry : overrides_.only) {
-      if (std::ranges::find(labels, entry) != labels.end()) {
-        wanted.push_back(entry);
-        continue;
-      }
-      std::istringstream parts(entry);
-      for (std::string part; std::getline(parts, part, ',');) wanted.push_back(part);
-    }
-    return wanted;
-  }
-
   void keep_only() {
-    const std::vector<std::string> labels = names_of(study_.optimizers, &StudyOptimizer::label);
-    const std::vector<std::string> only = wanted_labels(labels);
-    for (const std::string& wanted : only) {
-      const auto left_out = std::ranges::find(study_.left_out, wanted, &LeftOut::label);
-      if (left_out != study_.left_out.end())
-        throw InputError(Source{"--only", 0},
-                         fmt::format("optimizer '{}' is not in this build: {}", shown(wanted), left_out->reason));
-      if (std::ranges::find(labels, wanted) == labels.end())
-        throw InputError(Source{"--only", 0}, fmt::format("no optimizer of the study is labelled '{}'{}", shown(wanted),
-                                                          name_hint(wanted, labels)));
-    }
-    if (!only.empty()) {
-      for (StudyOptimizer& optimizer : study_.optimizers)
-        optimizer.skipped = std::ranges::find(only, optimizer.label) == only.end();
+    std::vector<bool> wanted(study_.optimizers.size(), false);
+    const std::vector<std::string> words = split_choice(study_, overrides_.only);
+    for (const std::string& word : words) wanted[chosen_optimizer(study_, word, "--only")] = true;
+    if (!words.empty()) {
+      for (std::size_t i = 0; i < wanted.size(); ++i) study_.optimizers[i].skipped = !wanted[i];
       study_.left_out.clear();
     }
     if (study_.optimizers.empty() && !study_.left_out.empty())

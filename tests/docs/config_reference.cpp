@@ -62,7 +62,7 @@ What holds for all keys:
 - Relative file names are looked up beside the study.
 
 The command line can change some keys for one run: `--seed` ([study] `seed`), `--repeats` (`repeats`), `--seconds` and
-`--evaluations` ([budget]), and `--only LABEL,…` restricts a comparison to some of the optimizers.
+`--evaluations` ([budget]), and `--only LABEL,…` restricts a comparison to some of the optimizers, by label or by a `use` that only one entry has.
 
 )";
 

@@ -3,69 +3,17 @@
 
 #include <gtest/gtest.h>
 
-#include <sys/wait.h>
-
 #include <algorithm>
-#include <cerrno>
+#include <atomic>
 #include <fstream>
-#include <map>
 
 #include "../support/messages.h"
-#include "../support/temporary_directory.h"
-#include "toy_study.h"
+#include "toy_compare.h"
 
 namespace nodal {
 namespace {
 
-using toy::TemporaryDirectory;
-
-constexpr const char* kHead = R"([study]
-repeats = 4
-[budget]
-evaluations = 30
-[problem]
-kind = "bowl"
-)";
-
-Study study_with(const std::string& optimizers, const StudyOverrides& overrides = {}) {
-  return toy::study(kHead + optimizers, overrides);
-}
-
-std::string use(const std::string& name) { return "[[optimizer]]\nuse = \"" + name + "\"\n"; }
-
-const std::string kTwo = use("halving") + use("wanderer");  // 3 + 4 trials: halving is deterministic
-
-CompareResult run(const Study& study, const TemporaryDirectory& directory, const CompareOptions& options = {},
-                  const CompareObserver& observer = {}) {
-  Store store(directory.path());
-  return compare(study, toy::registry(), store, options, observer);
-}
-
-// All that a trial's outcome is, by key: what the clock says is taken out.
-std::map<std::string, std::string> outcomes(const TemporaryDirectory& directory) {
-  std::map<std::string, std::string> by_key;
-  const Store store(directory.path());
-  for (TrialRecord record : store.records()) {
-    record.seconds = {};
-    for (TracePoint& point : record.trace) point.seconds = 0.0;
-    by_key[record.key] = to_json_line(record);
-  }
-  return by_key;
-}
-
-TrialRecord only_record(const TemporaryDirectory& directory) {
-  const Store store(directory.path());
-  EXPECT_EQ(store.records().size(), 1u);
-  return store.records().at(0);
-}
-
-bool has_children() { return ::waitpid(-1, nullptr, WNOHANG) != -1 || errno != ECHILD; }
-
-StudyOverrides once() {
-  StudyOverrides overrides;
-  overrides.repeats = 1;
-  return overrides;
-}
+using namespace toy;
 
 TEST(Compare, RunsEveryTrialOnceAndThenNothing) {
   const TemporaryDirectory directory;
@@ -116,25 +64,6 @@ TEST(Compare, RunsMoreJobsThanThereAreTrials) {
   EXPECT_EQ(Store(directory.path()).records().size(), 7u);
 }
 
-TEST(Compare, KeepsARowOfATrialWhoseProcessAborts) {
-  const TemporaryDirectory directory;
-  const CompareResult result = run(study_with(use("aborting") + use("halving"), once()), directory);
-  EXPECT_EQ(result.ran, 2u);
-  EXPECT_EQ(result.failed, 1u);
-  const Store store(directory.path());
-  EXPECT_EQ(store.records()[0].end, End::crashed);
-  EXPECT_EQ(store.records()[0].reason, "the trial's process died: signal 6 (Aborted)");
-  EXPECT_EQ(store.records()[0].optimizer, "aborting");
-  EXPECT_EQ(store.records()[1].end, End::budget);
-}
-
-TEST(Compare, KeepsARowOfATrialWhoseProcessLeaves) {
-  const TemporaryDirectory directory;
-  EXPECT_EQ(run(study_with(use("leaving"), once()), directory).failed, 1u);
-  EXPECT_EQ(only_record(directory).end, End::crashed);
-  EXPECT_EQ(only_record(directory).reason, "the trial's process died: exit status 3");
-}
-
 TEST(Compare, KeepsARowOfATrialThatThrows) {
   const TemporaryDirectory directory;
   EXPECT_EQ(run(study_with(use("throwing"), once()), directory).failed, 1u);
@@ -173,21 +102,6 @@ TEST(Compare, KeepsARowOfATrialWhoseNumbersNoRecordCanHold) {
     EXPECT_EQ(only_record(directory).end, End::failed);
     EXPECT_EQ(only_record(directory).reason, "no record could be made: NaN and infinity can't be written as JSON");
   }
-}
-
-TEST(Compare, KillsATrialThatHangs) {
-  const TemporaryDirectory directory;
-  StudyOverrides overrides = once();
-  overrides.seconds = 0.01;
-  const CompareResult result =
-      run(study_with(use("hanging") + use("halving"), overrides), directory, {.grace_seconds = 0.2});
-  EXPECT_EQ(result.ran, 2u);
-  EXPECT_EQ(result.failed, 1u);
-  const Store store(directory.path());
-  EXPECT_EQ(store.records()[0].end, End::timeout);
-  EXPECT_EQ(store.records()[0].reason, "killed after 0.3 s: it did not stop by itself");
-  EXPECT_EQ(store.records()[1].optimizer, "halving");
-  EXPECT_FALSE(has_children());
 }
 
 // 10 × 1e300 s in nanoseconds fits no integer: the deadline must not come out in the past.

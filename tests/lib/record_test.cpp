@@ -138,9 +138,10 @@ TEST(Record, RefusesALineWithoutAFieldByItsName) {
 }
 
 TEST(Record, ReadsALineWithoutWhatWasNotMeasured) {
-  for (const char* path : {"best", "claimed", "start.cost", "start.quality", "best.relative_error", "best.at_bounds",
-                           "claimed.cost", "claimed.x_equals_best", "claimed.evaluations", "attempt", "conditions",
-                           "conditions.beside_others", "conditions.stopped", "health.drift", "health.spread"})
+  for (const char* path :
+       {"best", "claimed", "start.cost", "start.quality", "best.relative_error", "best.at_bounds", "claimed.cost",
+        "claimed.x_equals_best", "claimed.evaluations", "attempt", "conditions", "conditions.beside_others",
+        "conditions.stopped", "health.drift", "health.spread"})
     EXPECT_EQ(refusal_without(path), "(nothing was thrown)") << path;
 }
 

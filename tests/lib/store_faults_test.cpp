@@ -6,9 +6,14 @@
 
 #include <signal.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <limits>
+
+#include <nodal/trial.h>
 
 #include "../support/messages.h"
 #include "../support/temporary_directory.h"
@@ -97,6 +102,143 @@ TEST(Store, AppendsToAStoreWhoseLastLineWasCutOff) {
   EXPECT_NE(store.find("a"), nullptr);
   EXPECT_NE(store.find("b"), nullptr);
   EXPECT_EQ(store.warnings().size(), 1u);
+}
+
+// A line whose key can still be read is spoken of until that trial has run; any other as long as a trial is missing.
+TEST(Store, WarnsOfADroppedLineUntilItsTrialHasRun) {
+  const TemporaryDirectory temporary;
+  const Study study = toy_study();
+  const std::vector<Trial> trials = all_trials(study);
+  const std::string torn = to_json_line(record_of(trial_key(study, trials[0])));
+  {
+    Store store(temporary.path());
+    store.begin(study);
+    for (std::size_t i = 1; i + 1 < trials.size(); ++i) store.append(record_of(trial_key(study, trials[i])));
+  }
+  write(temporary.path() / "trials" / "x.jsonl", torn.substr(0, torn.size() / 2) + "\nnoise\n");
+  const auto warnings = [&] { return Store(temporary.path()).warnings().size(); };
+  EXPECT_EQ(warnings(), 2u);
+  ::usleep(2000);  // names hold the millisecond
+  Store(temporary.path()).append(record_of(trial_key(study, trials[0])));
+  EXPECT_EQ(warnings(), 1u);  // the noise may have been the other missing trial
+  ::usleep(2000);
+  Store(temporary.path()).append(record_of(trial_key(study, trials.back())));
+  EXPECT_EQ(warnings(), 0u);
+}
+
+TEST(Store, EndsALineThatSomebodyLeftUnfinished) {
+  const TemporaryDirectory temporary;
+  Store store(temporary.path());
+  store.append(record_of("a"));
+  const fs::path file = files_in(temporary.path() / "trials").at(0);
+  std::ofstream(file, std::ios::app) << "GARBAGE";
+  store.append(record_of("b"));
+  EXPECT_EQ(keys_of(Store(temporary.path())), (Keys{"a", "b"}));
+  EXPECT_EQ(read(file), to_json_line(record_of("a")) + "\nGARBAGE\n" + to_json_line(record_of("b")) + "\n");
+}
+
+TEST(Store, RemovesWhatDeadWritersLeft) {
+  const TemporaryDirectory temporary;
+  const pid_t dead = ::fork();
+  if (dead == 0) ::_exit(0);
+  ::waitpid(dead, nullptr, 0);
+  const fs::path abandoned = temporary.path() / ("report.html." + std::to_string(dead) + ".part"),
+                 young = temporary.path() / ("summary.csv." + std::to_string(dead) + ".part"),
+                 at_work = temporary.path() / ("report.html." + std::to_string(::getpid()) + ".part"),
+                 own = temporary.path() / "notes.part";
+  for (const fs::path& file : {abandoned, young, at_work, own}) {
+    write(file, "half");
+    if (file != young) fs::last_write_time(file, fs::file_time_type::clock::now() - std::chrono::minutes(2));
+  }
+  Store(temporary.path()).begin(toy_study());
+  EXPECT_FALSE(fs::exists(abandoned));
+  for (const fs::path& file : {young, at_work, own}) EXPECT_TRUE(fs::exists(file)) << file;
+}
+
+TEST(Store, RefusesWhatWouldMakeItWait) {
+  for (const char* name : {"manifest.json", "trials/x.jsonl"}) {
+    const TemporaryDirectory temporary;
+    const fs::path file = temporary.path() / name;
+    fs::create_directories(file.parent_path());
+    const std::string refusal = "cannot read '" + file.string() + "': not a regular file; copy its content into one";
+    ASSERT_EQ(::mkfifo(file.c_str(), 0666), 0);
+    EXPECT_EQ(message_of([&] { Store{temporary.path()}; }), refusal);
+    fs::remove(file);
+    fs::create_symlink("/dev/zero", file);
+    EXPECT_EQ(message_of([&] { Store{temporary.path()}; }), refusal);
+  }
+}
+
+std::string moved_or_removed(const fs::path& directory) {
+  return "the store '" + directory.string() + "' was moved or removed while trials ran; what it held is where it went";
+}
+
+TEST(Store, NoticesThatItWasRemoved) {
+  const TemporaryDirectory temporary;
+  const fs::path directory = temporary.path() / "store";
+  Store store(directory);
+  store.begin(toy_study());
+  store.append(record_of("a"));
+  fs::remove_all(directory);
+  EXPECT_EQ(message_of<StoreError>([&] { store.append(record_of("b")); }), moved_or_removed(directory));
+  EXPECT_EQ(message_of<StoreError>([&] { store.write_file("report.html", "x"); }), moved_or_removed(directory));
+  EXPECT_FALSE(fs::exists(directory));
+}
+
+TEST(Store, NoticesThatItWasMovedAndAnotherStandsInItsPlace) {
+  for (const bool with_a_manifest : {false, true}) {
+    const TemporaryDirectory temporary;
+    const fs::path directory = temporary.path() / "store", elsewhere = temporary.path() / "elsewhere";
+    Store store(directory);
+    store.begin(toy_study());
+    store.append(record_of("a"));
+    fs::rename(directory, elsewhere);
+    fs::create_directory(directory);
+    if (with_a_manifest) fs::copy_file(elsewhere / "manifest.json", directory / "manifest.json");
+    EXPECT_EQ(message_of<StoreError>([&] { store.append(record_of("b")); }), moved_or_removed(directory));
+    EXPECT_EQ(keys_of(Store(elsewhere)), Keys{"a"});
+    EXPECT_EQ(files_in(directory).size(), with_a_manifest ? 1u : 0u);
+  }
+}
+
+// Only its file of trials is gone: the lines in it are, too.
+TEST(Store, DoesNotBeginItsFileAgain) {
+  const TemporaryDirectory temporary;
+  Store store(temporary.path());
+  store.append(record_of("a"));
+  fs::remove(files_in(temporary.path() / "trials").at(0));
+  EXPECT_THROW(store.append(record_of("b")), StoreError);
+}
+
+TEST(Store, SeesAnotherProcessThatWrites) {
+  const TemporaryDirectory temporary;
+  Store store(temporary.path());
+  EXPECT_EQ(store.other_writer(), std::nullopt);
+  store.begin(toy_study());
+  EXPECT_EQ(store.other_writer(), std::nullopt);
+  int began[2], end[2];
+  ASSERT_EQ(::pipe(began), 0);
+  ASSERT_EQ(::pipe(end), 0);
+  const pid_t other = ::fork();
+  if (other == 0) {
+    char byte = 'x';
+    Store theirs(temporary.path());
+    theirs.begin(toy_study());
+    const bool sees = theirs.other_writer() == std::optional<int>(::getppid());
+    (void)!::write(began[1], &byte, 1);
+    ::close(end[1]);
+    (void)!::read(end[0], &byte, 1);
+    ::_exit(sees ? 0 : 1);
+  }
+  char byte = 0;
+  EXPECT_EQ(::read(began[0], &byte, 1), 1);
+  EXPECT_EQ(store.other_writer(), std::optional<int>(other));
+  ::close(end[1]);
+  int status = 1;
+  ::waitpid(other, &status, 0);
+  EXPECT_EQ(status, 0);
+  EXPECT_EQ(store.other_writer(), std::nullopt);
+  for (const int descriptor : {began[0], began[1], end[0]}) ::close(descriptor);
 }
 
 TEST(Store, LeavesANewerSchemaAlone) {
@@ -215,7 +357,7 @@ TEST(Store, KeepsAnOldReportWhenTheNewOneCannotBeWritten) {
     EXPECT_THROW(store.begin(toy_study()), StoreError);
   }
   EXPECT_EQ(read(temporary.path() / "report.html"), "old");
-  EXPECT_EQ(files_in(temporary.path()).size(), 1u);  // nothing half-written is left
+  EXPECT_EQ(files_in(temporary.path()).size(), 2u);  // with the lock; nothing half-written is left
   EXPECT_EQ(store.manifest(), Value());
 }
 

@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <optional>
 #include <set>
 
 #include <nodal/provenance.h>
@@ -76,17 +77,41 @@ TEST(Store, GivesEveryWriterAFileOfItsOwn) {
   EXPECT_EQ(std::set<std::string>(all.begin(), all.end()), (std::set<std::string>{"a", "b", "c"}));
 }
 
-TEST(Store, ReadsTheOldestFileFirstAndCountsTheFirstOfTwoEqualKeys) {
+TrialRecord attempt_of(const std::string& key, std::int64_t attempt, int repeat) {
+  TrialRecord record = record_of(key, repeat);
+  record.attempt = attempt;
+  return record;
+}
+
+// Copying a store changes the files' times and their order in the directory, but not their names.
+TEST(Store, ReadsFilesInTheOrderInWhichTheyWereBegun) {
   const TemporaryDirectory temporary;
-  const fs::path old_file = temporary.path() / "trials" / "z.jsonl", new_file = temporary.path() / "trials" / "a.jsonl";
-  write(old_file, to_json_line(record_of("same", 1)) + "\n" + to_json_line(record_of("old")) + "\n");
-  write(new_file, to_json_line(record_of("new")) + "\n" + to_json_line(record_of("same", 2)) + "\n");
+  const fs::path first = temporary.path() / "trials" / "z-7-999.jsonl",
+                 second = temporary.path() / "trials" / "a-8-1000.jsonl";
+  write(first, to_json_line(record_of("same", 1)) + "\n" + to_json_line(record_of("old")) + "\n");
+  write(second, to_json_line(record_of("new")) + "\n" + to_json_line(record_of("same", 2)) + "\n");
   write(temporary.path() / "trials" / "notes.txt", "not ours\n");
-  fs::last_write_time(old_file, fs::last_write_time(new_file) - std::chrono::hours(1));
-  const Store store(temporary.path());
-  EXPECT_EQ(keys_of(store), (Keys{"same", "old", "new"}));
-  EXPECT_EQ(store.find("same")->repeat, 1);
-  EXPECT_TRUE(store.warnings().empty());
+  for (const auto& [old_file, new_file] : {std::pair(first, second), std::pair(second, first)}) {
+    fs::last_write_time(old_file, fs::last_write_time(new_file) - std::chrono::hours(1));
+    const Store store(temporary.path());
+    EXPECT_EQ(keys_of(store), (Keys{"same", "old", "new"}));
+    EXPECT_EQ(store.find("same")->repeat, 1);  // of equal attempts the first
+    EXPECT_TRUE(store.warnings().empty());
+  }
+}
+
+TEST(Store, CountsTheLatestAttemptWhereverItStands) {
+  const TemporaryDirectory temporary;
+  write(temporary.path() / "trials" / "a-1-1.jsonl", to_json_line(attempt_of("k", 3, 33)) + "\n");
+  write(temporary.path() / "trials" / "a-1-2.jsonl",
+        to_json_line(attempt_of("k", 1, 11)) + "\n" + to_json_line(attempt_of("k", 2, 22)) + "\n");
+  Store store(temporary.path());
+  EXPECT_EQ(store.records().size(), 1u);
+  EXPECT_EQ(store.find("k")->repeat, 33);
+  store.append(attempt_of("k", 4, 44));
+  EXPECT_EQ(store.find("k")->repeat, 44);
+  EXPECT_EQ(store.records().size(), 1u);
+  EXPECT_EQ(Store(temporary.path()).find("k")->repeat, 44);
 }
 
 TEST(Store, KeepsTheFirstOfTwoEqualKeysWhenAppending) {
@@ -135,6 +160,7 @@ TEST(Store, DescribesItsStudyInTheManifest) {
   EXPECT_EQ(m.at("keys").list()[0].text(), trial_key(study, all_trials(study)[0]));
   ASSERT_EQ(m.at("runs").list().size(), 1u);
   EXPECT_EQ(m.at("runs").list()[0].at("provenance"), provenance());
+  EXPECT_EQ(m.at("runs").list()[0].at("build").text(), build_id(provenance()));
   EXPECT_EQ(m.at("runs").list()[0].at("began").text().size(), std::string("2024-01-01T00:00:00Z").size());
 }
 
@@ -149,17 +175,33 @@ TEST(Store, AddsARunToTheManifestEveryTime) {
   EXPECT_EQ(store.manifest().at("keys").list().size(), 6u);
 }
 
-Store store_of_another_build(const fs::path& directory, bool with_results) {
+// Of a trial that the study asks for.
+TrialRecord wanted_record(std::optional<Conditions> conditions) {
+  const Study study = toy_study();
+  TrialRecord record = record_of(trial_key(study, all_trials(study)[0]));
+  record.conditions = std::move(conditions);
+  record.optimizer = "halving";
+  return record;
+}
+
+// A store whose manifest says that its runs so far were another's.
+Store store_of_another(const fs::path& directory, const char* what, const char* name,
+                       const std::optional<TrialRecord>& record) {
   Store first(directory);
   first.begin(toy_study());
-  if (with_results) first.append(record_of("a"));
+  if (record) first.append(*record);
   Value manifest = first.manifest();
   Value run = manifest.at("runs").list()[0], other = run.at("provenance");
-  other.set("revision", "abc123");
+  other.set(what, name);
   run.set("provenance", other);
   manifest.set("runs", Value::List{run});
   write(directory / "manifest.json", to_json(manifest));
   return Store(directory);
+}
+
+Store store_of_another_build(const fs::path& directory, bool with_results) {
+  return store_of_another(directory, "revision", "abc123",
+                          with_results ? std::optional(wanted_record(std::nullopt)) : std::nullopt);
 }
 
 TEST(Store, WarnsOfResultsOfAnotherBuild) {
@@ -167,9 +209,61 @@ TEST(Store, WarnsOfResultsOfAnotherBuild) {
   Store store = store_of_another_build(temporary.path(), true);
   EXPECT_TRUE(store.warnings().empty());
   store.begin(toy_study());
+  const std::string program = ", program " + provenance().at("executable").text().substr(0, 8);
+  const Keys expected = {"'" + temporary.path().string() + "' holds results of another build (revision abc123" +
+                         program + "; the present one is revision " + revision() + program +
+                         "): halving (1). Results and times may differ; --rerun LABEL or --fresh runs them again"};
+  EXPECT_EQ(store.warnings(), expected);
+  EXPECT_EQ(Store::open_existing(temporary.path()).warnings(), expected);  // than the last run's
+}
+
+TEST(Store, WarnsOfResultsOfAChangedProgram) {
+  const TemporaryDirectory temporary;
+  Store store = store_of_another(temporary.path(), "executable", "0123456789abcdef", wanted_record(std::nullopt));
+  store.begin(toy_study());
+  ASSERT_EQ(store.warnings().size(), 1u);
+  EXPECT_NE(
+      store.warnings()[0].find("another build (revision " + revision() + ", program 01234567; the present one is"),
+      std::string::npos)
+      << store.warnings()[0];
+}
+
+TEST(Store, SaysOfWhichTrialsAnotherBuildIs) {
+  const TemporaryDirectory temporary;
+  Store store = store_of_another_build(temporary.path(), false);
+  const Value here = provenance();
+  store.begin(toy_study());
+  store.append(wanted_record(Conditions{build_id(here), here.at("processor").text(), 1, 2, false, false}));
+  EXPECT_TRUE(Store::open_existing(temporary.path()).warnings().empty());
+  TrialRecord other = wanted_record(Conditions{"of nobody", here.at("processor").text(), 1, 2, false, false});
+  other.attempt = 3;
+  store.append(other);
+  const Store again = Store::open_existing(temporary.path());
+  ASSERT_EQ(again.warnings().size(), 1u);
+  EXPECT_NE(again.warnings()[0].find("another build (unknown; "), std::string::npos) << again.warnings()[0];
+  EXPECT_NE(again.warnings()[0].find("halving (1)"), std::string::npos) << again.warnings()[0];
+}
+
+TEST(Store, WarnsOfResultsOfAnotherProcessor) {
+  const TemporaryDirectory temporary;
+  const Value here = provenance();
+  Store store(temporary.path());
+  store.append(wanted_record(Conditions{build_id(here), "An Older Processor", 1, 2, false, false}));
+  store.begin(toy_study());
   EXPECT_EQ(store.warnings(),
-            (Keys{"'" + temporary.path().string() + "' holds results of another build (revision abc123; this is " +
-                  revision() + "): times don't compare"}));
+            (Keys{"'" + temporary.path().string() +
+                  "' holds results of another processor (An Older Processor; the present one is " +
+                  here.at("processor").text() +
+                  "): halving (1). Times don't compare, and last digits differ where a study leaves the choice of "
+                  "instructions to the machine"}));
+}
+
+TEST(Store, WarnsOfAnotherProcessorInARunWhoseRecordsDoNotSay) {
+  const TemporaryDirectory temporary;
+  Store store = store_of_another(temporary.path(), "processor", "An Older Processor", wanted_record(std::nullopt));
+  store.begin(toy_study());
+  ASSERT_EQ(store.warnings().size(), 1u);
+  EXPECT_NE(store.warnings()[0].find("another processor (An Older Processor; "), std::string::npos);
 }
 
 TEST(Store, WarnsOfNothingWhenAnotherBuildLeftNoResults) {
@@ -197,6 +291,39 @@ TEST(Store, ReplacesAFileAtOnce) {
   EXPECT_EQ(read(temporary.path() / "report.html"), "new");
   EXPECT_EQ(read(temporary.path() / "figures" / "plate.svg"), "<svg/>");
   EXPECT_EQ(files_in(temporary.path()).size(), 2u);
+}
+
+TEST(Store, KeepsTheRunsOfEveryoneWhoBegan) {
+  const TemporaryDirectory temporary;
+  Store a(temporary.path()), b(temporary.path());
+  a.begin(toy_study());
+  b.begin(toy_study());
+  EXPECT_EQ(Store(temporary.path()).manifest().at("runs").list().size(), 2u);
+}
+
+TEST(Store, WarnsOfAnotherStudyInItsPlace) {
+  const TemporaryDirectory temporary;
+  Study study = toy_study();
+  study.path = "/one/s.toml";
+  Store(temporary.path()).begin(study);
+  const auto warnings_of = [&](const Study& next) {
+    Store store(temporary.path());
+    store.begin(next);
+    const Keys warnings = store.warnings();
+    Store(temporary.path()).begin(study);  // as it was
+    return warnings;
+  };
+  EXPECT_TRUE(warnings_of(study).empty());
+  Study edited = study, moved = study, other = study;
+  edited.text += "\n# edited\n";
+  moved.path = other.path = "/two/s.toml";
+  other.text += "\n# another\n";
+  EXPECT_TRUE(warnings_of(edited).empty());
+  EXPECT_TRUE(warnings_of(moved).empty());
+  EXPECT_EQ(warnings_of(other),
+            (Keys{"'" + temporary.path().string() +
+                  "' holds results of the study 'toys' from '/one/s.toml'; this one is 'toys' from '/two/s.toml': the "
+                  "report will show this one only; --out DIR keeps them apart"}));
 }
 
 TEST(Store, CanBeMoved) {

@@ -249,6 +249,25 @@ TEST(Study, TakesSeveralLabelsAtOnceAndLabelsWithCommas) {
   EXPECT_EQ(kept({"halving, again", "wanderer"}), (std::vector<std::string>{"halving, again", "wanderer"}));
 }
 
+TEST(Study, KeepsOnlyTheOneEntryThatUsesAMethod) {
+  const std::string text =
+      "[problem]\nkind = \"bowl\"\n[[optimizer]]\nuse = \"halving\"\nlabel = \"a\"\n"
+      "[[optimizer]]\nuse = \"wanderer\"\nlabel = \"halving\"\n"
+      "[[optimizer]]\nuse = \"newton\"\nlabel = \"b\"\n[[optimizer]]\nuse = \"newton\"\nlabel = \"c\"\n";
+  const auto kept = [&](const std::string& word) {
+    StudyOverrides overrides;
+    overrides.only = {word};
+    std::string labels;
+    for (const StudyOptimizer& optimizer : parse_study(text, "s.toml", toy::registry(), overrides).optimizers)
+      if (!optimizer.skipped) labels += optimizer.label;
+    return labels;
+  };
+  EXPECT_EQ(kept("wanderer"), "halving");  // by its method
+  EXPECT_EQ(kept("halving"), "halving");   // a label comes first
+  EXPECT_EQ(toy::message_of([&] { (void)kept("newton"); }),
+            "--only: several entries of the study use 'newton': 'b', 'c'; give their labels");
+}
+
 TEST(Study, RefusesTwoEqualLabels) {
   EXPECT_EQ(refusal("[[problem]]\nkind = \"bowl\"\n[[problem]]\nkind = \"bowl\"\nsize = 4\n"),
             "s.toml:3: two problems have the label 'bowl' (the other is on line 1); give one a 'label' of its own");

@@ -2,13 +2,17 @@
 #pragma once
 
 /// Runs what a store lacks of a study. Every trial runs in a child process of its own, forked from this one, so that
-/// one that crashes or hangs is a row with its reason; problems are built once and shared copy-on-write.
+/// one that crashes or hangs is a row with its reason; problems are built once and shared copy-on-write. These children
+/// lead process groups of their own: stopping this process (Ctrl-Z) lets them finish what they run, and no more is
+/// begun.
 ///
 /// Threads  call it from a process without other threads.
 
 #include <atomic>
 #include <cstddef>
 #include <functional>
+#include <string>
+#include <vector>
 
 #include <nodal/store.h>
 #include <nodal/trial.h>
@@ -19,6 +23,10 @@ struct CompareOptions {
   int jobs = 1;                 ///< trials at once; times stay clean with 1
   bool isolate = true;          ///< false runs trials in this process, one after the other
   double grace_seconds = 30.0;  ///< a trial is killed this long after ten times its budget of seconds [s]
+  /// Stored trials that run again: of the optimizers with these labels (or the `use` of exactly one entry), or those
+  /// that `failed`, or those that are `contaminated` (record.h). What they gave before stays in its file.
+  std::vector<std::string> rerun = {};
+  bool fresh = false;  ///< every trial of the study runs again
   const std::atomic<bool>* interrupted =
       nullptr;  ///< set it (from a signal handler, say) to stop after killing what runs
 };
@@ -28,6 +36,8 @@ struct CompareObserver {
   /// Trials of the study, and how many of them the store already has.
   std::function<void(std::size_t total, std::size_t stored)> began;
   std::function<void(const TrialRecord& record, std::size_t done, std::size_t total)> finished;
+  /// What people should know at once: the store's own warnings, and others that arise while trials run.
+  std::function<void(const std::string& warning)> warned;
 };
 
 struct CompareResult {
@@ -39,7 +49,11 @@ struct CompareResult {
 /// InputError for a study without optimizers or without a budget: it can be evaluated, but not compared.
 void require_comparable(const Study& study);
 
-/// Requires a comparable study. StoreError when a result can't be stored; what runs is killed.
+/// Requires a comparable study. StoreError when a result can't be stored; what runs is killed. InputError, before
+/// anything is written, for a word in `rerun` that means nothing.
+///
+/// A trial whose process was stopped and continued is run again, three times at most; a comparison of another process
+/// that writes to the same store is warned of, and noted in the records.
 CompareResult compare(const Study& study, const Registry& registry, Store& store, const CompareOptions& options,
                       const CompareObserver& observer = {});
 

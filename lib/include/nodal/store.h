@@ -4,15 +4,17 @@
 /// A study's directory: manifest.json, trials/*.jsonl (one file per writing process, append-only), report.html,
 /// summary.csv, figures/.
 ///
-/// Crash-safe: a record is one line, written by one call; a line that was cut off or garbled is dropped with a warning
-/// when the store is opened, and its trial runs again. Nothing stored is ever overwritten.
+/// Crash-safe: a record is one line, written by one call; a line that was cut off or garbled is dropped, with a warning
+/// until its trial has run again. Nothing stored is ever overwritten: a trial that is run again adds a record with a
+/// later `attempt`, and the latest counts.
 ///
-/// Errors   StoreError when a file can't be made or written (folder, reason). InputError for a store of a newer schema
-///          or a manifest that can't be read.
+/// Errors   StoreError when a file can't be made or written (folder, reason), or the directory was moved or removed
+///          after `begin`. InputError for a store of a newer schema or a manifest that can't be read.
 /// Threads  one object per process, one thread.
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -33,21 +35,25 @@ class Store {
   Store& operator=(Store&&) noexcept;
 
   [[nodiscard]] const std::filesystem::path& directory() const noexcept;
-  /// Dropped lines and mixed builds, for people.
+  /// Dropped lines, another study, trials of other builds or processors (than this one after `begin`, than the last
+  /// run's in a store opened for reading), for people.
   [[nodiscard]] const std::vector<std::string>& warnings() const noexcept;
-  /// Every valid record, oldest first; of two with one key the first counts.
+  /// Every valid record, oldest first; of several with one key that of the latest attempt.
   [[nodiscard]] const std::vector<TrialRecord>& records() const noexcept;
   [[nodiscard]] const TrialRecord* find(std::string_view key) const;
 
   /// Writes the study into the manifest (atomically), with this build's provenance and the keys of its trials, before
-  /// the first trial runs. Warns when results of another build are here.
+  /// the first trial runs. Removes what writers that died have left half-written. Warns when results of another build,
+  /// processor or study are here.
   void begin(const Study& study);
   /// Stores one record: written and flushed to the system when this returns.
   void append(const TrialRecord& record);
+  /// After `begin`: the process of another comparison that writes here now.
+  [[nodiscard]] std::optional<int> other_writer() const noexcept;
 
   /// The manifest as it stands: {schema, study: {name, text, file, directory}, problems: [{label, kind, options,
   /// best_known}], optimizers: [{label, use, baseline}], left_out: […], keys: [the current study's trials], runs:
-  /// [{began, provenance}]}. Empty table for a new store.
+  /// [{began, build, provenance}]}. Empty table for a new store.
   [[nodiscard]] const Value& manifest() const noexcept;
 
   /// Writes a file of the store (report.html, …) atomically.

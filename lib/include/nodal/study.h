@@ -70,12 +70,13 @@ struct StudyOverrides {
   std::optional<std::int64_t> evaluations;
   std::optional<std::uint64_t> seed;
   std::optional<int> repeats;
-  std::vector<std::string> only;  ///< optimizer labels, or several separated by commas; all when empty
+  std::vector<std::string> only;  ///< labels, or a `use` that one entry has; several separated by commas
 };
 
 /// Reads a study. InputError ("file:line: …") for everything that is wrong with it: syntax, an unknown key, type,
 /// range, an unknown optimizer or problem (nearest names offered), two equal labels, an optimizer that needs what a
-/// problem can't give, or whose dense matrix is too large for it (dense_matrix.h). A study without optimizers or without a budget can be evaluated, but not compared.
+/// problem can't give, or whose dense matrix is too large for it (dense_matrix.h). A study without optimizers or
+/// without a budget can be evaluated, but not compared.
 [[nodiscard]] Study read_study(const std::filesystem::path& path, const Registry& registry,
                                const StudyOverrides& overrides = {});
 /// The same from a text; `path` is for messages and relative files.

@@ -5,12 +5,14 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <cstdlib>
 #include <set>
 #include <thread>
 
 #include <nodal/store.h>
 
 #include "program.h"
+#include "studies.h"
 
 namespace nodal::program {
 namespace {
@@ -89,6 +91,52 @@ TEST(Killed, ComparisonGoesOnFromWhatIsWhole) {
       << again.err;
   const Store store = Store::open_existing(folder.path() / "results" / "slow");
   EXPECT_EQ(store.records().size(), 6u);
+}
+
+TEST(Removed, StoreIsNoticed) {
+  const Folder folder;
+  folder.write("slow.toml", kSlowStudy);
+  const std::filesystem::path store = folder.path() / "results" / "slow";
+  Started program(folder, {"compare", "slow.toml"});
+  const bool began = wait_for_lines(store / "trials", 1);
+  std::filesystem::remove_all(store);
+  const Output output = program.wait();
+  ASSERT_TRUE(began);
+  EXPECT_EQ(output.exit, 2);
+  EXPECT_NE(output.err.find("the store 'results/slow' was moved or removed while trials ran"), std::string::npos)
+      << output.err;
+  EXPECT_FALSE(std::filesystem::exists(store));
+}
+
+// What some supervisors do: the first files that are opened must not be taken for standard output.
+TEST(ClosedStandardDescriptors, AreNotTheStores) {
+  const Folder folder;
+  folder.write("quick.toml", kQuickStudy);
+  const std::string command =
+      "cd '" + folder.path().string() + "' && '" NODAL_PROGRAM "' compare quick.toml <&- >&- 2>&-";
+  EXPECT_EQ(std::system(command.c_str()), 0);
+  const Store store = Store::open_existing(folder.path() / "results" / "quick");
+  EXPECT_TRUE(store.warnings().empty());
+  EXPECT_EQ(store.records().size(), 4u);
+  EXPECT_EQ(count_lines(folder.path() / "results" / "quick" / "trials"), 4u);
+}
+
+TEST(Rerun, SupersedesWhatWasStored) {
+  const Folder folder;
+  folder.write("quick.toml", kQuickStudy);
+  ASSERT_EQ(run(folder, {"compare", "quick.toml"}).exit, 0);
+  const Output again = run(folder, {"compare", "quick.toml", "--rerun", "annealing"});
+  EXPECT_EQ(again.exit, 0) << again.err;
+  EXPECT_TRUE(again.err.starts_with("2 of 4 trials are stored already\nrunning 2 trials\n")) << again.err;
+  const Output fresh = run(folder, {"compare", "quick.toml", "--fresh"});
+  EXPECT_EQ(fresh.exit, 0) << fresh.err;
+  EXPECT_TRUE(fresh.err.starts_with("running 4 trials\n")) << fresh.err;
+  const std::filesystem::path store = folder.path() / "results" / "quick";
+  EXPECT_EQ(Store::open_existing(store).records().size(), 4u);
+  EXPECT_EQ(count_lines(store / "trials"), 10u);
+  EXPECT_EQ(run(folder, {"compare", "quick.toml", "--rerun", "anealing"}).err,
+            "nodal: --rerun: no optimizer of the study is labelled 'anealing'; did you mean 'annealing'?\n");
+  EXPECT_EQ(run(folder, {"compare", "quick.toml", "--rerun", "failed", "--fresh"}).exit, 2);
 }
 
 }  // namespace

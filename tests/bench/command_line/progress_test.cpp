@@ -39,6 +39,18 @@ TEST(Progress, IsABarWithTheTimeLeftOnATerminal) {
   EXPECT_TRUE(text.ends_with("\n"));
 }
 
+TEST(Progress, WarnsOnALineOfItsOwn) {
+  testing::internal::CaptureStderr();
+  {
+    Progress progress(true);
+    progress.began(4, 0);
+    progress.warned("the store is shared");
+    progress.finished(finished_record(), 1, 4);
+  }
+  const std::string text = testing::internal::GetCapturedStderr();
+  EXPECT_NE(text.find("\nwarning: the store is shared\n\r"), std::string::npos) << text;
+}
+
 TEST(Progress, IsALinePerTrialElsewhere) {
   testing::internal::CaptureStderr();
   Progress progress(false);

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "trial_files.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <charconv>
+#include <chrono>
+#include <cstdint>
+#include <tuple>
+
+#include <fmt/format.h>
+
+#include <nodal/file.h>
+
+#include "file_descriptor.h"
+
+namespace nodal {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* kFolder = "trials";
+constexpr std::uintmax_t kLargestTrialsFile = std::uintmax_t{1} << 34;  // 16 GB: a record is a few kB
+
+// One file per writing process: host, process and moment [ms] name it.
+std::string writer_name() {
+  char host[256] = "host";
+  ::gethostname(host, sizeof host - 1);
+  const auto now = std::chrono::system_clock::now().time_since_epoch();
+  return fmt::format("{}-{}-{}.jsonl", host, ::getpid(),
+                     std::chrono::duration_cast<std::chrono::milliseconds>(now).count());
+}
+
+// The moment in a file's name; 0 for a name of another kind.
+std::int64_t moment_of(const fs::path& file) {
+  const std::string name = file.stem().string();
+  const std::size_t dash = name.rfind('-');
+  std::int64_t moment = 0;
+  if (dash != std::string::npos) std::from_chars(name.data() + dash + 1, name.data() + name.size(), moment);
+  return moment;
+}
+
+std::vector<fs::path> files_in_order(const fs::path& store) {
+  std::vector<fs::path> files;
+  if (fs::is_directory(store / kFolder))
+    for (const fs::directory_entry& entry : fs::directory_iterator(store / kFolder))
+      if (entry.path().extension() == ".jsonl") files.push_back(entry.path());
+  std::ranges::sort(files, {}, [](const fs::path& file) { return std::tuple(moment_of(file), file); });
+  return files;
+}
+
+// What still can be read of a line that was cut off: the key stands near its beginning.
+std::string key_in(std::string_view line) {
+  constexpr std::string_view kBefore = R"("key":")";
+  constexpr std::size_t kDigits = 32;
+  const std::size_t at = line.find(kBefore);
+  if (at == std::string_view::npos) return {};
+  const std::string_view key = line.substr(at + kBefore.size(), kDigits);
+  const bool whole = key.size() == kDigits && key.find_first_not_of("0123456789abcdef") == std::string_view::npos;
+  return whole ? std::string(key) : std::string();
+}
+
+void read_line(const std::string& where, std::string_view line, StoredLines& result) {
+  try {
+    result.records.push_back(parse_record(line, where));
+  } catch (const NewerSchemaError&) {
+    throw;
+  } catch (const InputError&) {
+    result.torn.push_back({where, key_in(line)});
+  }
+}
+
+}  // namespace
+
+StoredLines read_trial_files(const fs::path& store) {
+  StoredLines result;
+  for (const fs::path& file : files_in_order(store)) {
+    const std::string text = read_file(file, "", kLargestTrialsFile);
+    int number = 0;
+    for (std::size_t begin = 0; begin < text.size();) {
+      const std::size_t end = std::min(text.find('\n', begin), text.size());
+      ++number;
+      const std::string_view line = std::string_view(text).substr(begin, end - begin);
+      if (!line.empty()) read_line(fmt::format("{}:{}", file.string(), number), line, result);
+      begin = end + 1;
+    }
+  }
+  return result;
+}
+
+void TrialFile::append(const std::string& line) {
+  const bool first = path_.empty();
+  const fs::path path = first ? store_ / kFolder / writer_name() : path_;
+  if (first) make_directory(store_ / kFolder);
+  // Only the first line makes the file: should it be gone later, so are its lines, and that must be noticed.
+  FileDescriptor file(path, O_RDWR | O_APPEND | (first ? O_CREAT : 0), 0666, path);
+  path_ = path;
+  const off_t before = file.size();
+  try {
+    file.write((file.ends_a_line() ? "" : "\n") + line + "\n");
+    file.flush();
+  } catch (const StoreError&) {
+    file.cut_to(before);
+    throw;
+  }
+}
+
+}  // namespace nodal

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+/// The files trials/*.jsonl of a store: one per writing process, append-only.
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <nodal/record.h>
+
+namespace nodal {
+
+/// A line that is no whole record: where it stands, and the key of its trial where that can be read.
+struct TornLine {
+  std::string where, key;
+};
+
+struct StoredLines {
+  std::vector<TrialRecord> records;  ///< in the order in which their files were begun, whatever copying did to times
+  std::vector<TornLine> torn;
+};
+
+/// Of a store's directory. InputError for files that can't be read; NewerSchemaError.
+[[nodiscard]] StoredLines read_trial_files(const std::filesystem::path& store);
+
+/// The file of this process. It is open only while a line is written, so that children never hold it.
+class TrialFile {
+ public:
+  explicit TrialFile(std::filesystem::path store) : store_(std::move(store)) {}
+  /// Written and flushed when this returns. A line that somebody left unfinished is ended first. StoreError; then the
+  /// file is as it was.
+  void append(const std::string& line);
+
+ private:
+  std::filesystem::path store_, path_;
+};
+
+}  // namespace nodal
