@@ -210,7 +210,7 @@ TEST_F(ForeignFiles, JsonOfAnotherMeaningIsRefused) {
   EXPECT_EQ(refused(nodes, springs, ",\n\"schema\":2,\"kinds\":[]"),
             "s.json:3: the file has schema 2, this build reads up to 1; use a newer nodal");
   EXPECT_EQ(refused(nodes, springs, ",\n\"links\":[]"),
-            "s.json:3: unknown key 'links' in a system file; valid: 'schema', 'nodes', 'springs'");
+            "s.json:3: unknown key 'links' in a system file; valid: 'schema', 'bounds', 'nodes', 'springs'");
   write("s.json", R"({"nodes":[{"node":1,"x":0,"y":0},{"node":2,"x":4,"y":0}]})");
   EXPECT_EQ(refusal(json_study()), "s.json: a system file must have a list \"springs\"");
   write("s.json", "{\"springs\":[" + springs + "]}");
