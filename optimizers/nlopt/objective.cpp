@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include <nodal/agreement.h>
-
 namespace nodal::nlopt_methods {
 
 namespace {
@@ -13,6 +11,8 @@ namespace {
 // A start whose cost changes by less than this share of itself per unit of any coordinate is a minimum that somebody wrote
 // down with four digits or more: a line search has nothing to gain there but rounding.
 constexpr double kLevelSlope = 1e-4;
+// ½ r² of r = 1e-8: the libraries' line searches have constants of their own, and see no slope below that.
+constexpr double kNothingLeft = 0.5e-16;
 constexpr double kPenalty = 1e30;  // far above any cost, and its square is still finite
 
 double penalty(std::span<double> gradient) {
@@ -73,8 +73,7 @@ double Objective::steepest_slope(std::span<const double> gradient) const {
 }
 
 bool Objective::began_at_minimum() const noexcept {
-  return std::isfinite(first_) && std::isfinite(first_slope_) &&
-         (first_ <= kPerfectCost || first_slope_ <= kLevelSlope * std::abs(first_));
+  return std::isfinite(first_) && (first_ <= kNothingLeft || first_slope_ <= kLevelSlope * std::abs(first_));
 }
 
 void Objective::note(double cost) {

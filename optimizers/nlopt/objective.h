@@ -36,7 +36,7 @@ class Objective {
   [[nodiscard]] double first() const noexcept { return first_; }
   [[nodiscard]] double lowest() const noexcept { return lowest_; }
   /// True when the first point leaves nothing to gain: a perfect fit, or a gradient that is level as far as the box
-  /// allows. False for methods that ask for no gradient.
+  /// allows. Of methods that ask for no gradient only the first can be said.
   [[nodiscard]] bool began_at_minimum() const noexcept;
   /// True when the library kept asking without asking for a new point, and was stopped for that.
   [[nodiscard]] bool stuck() const noexcept { return idle_ >= kMostIdle; }

@@ -298,6 +298,41 @@ TEST(Table, TakesTheBestOfTheTrialsWhereNothingBetterIsKnown) {
   EXPECT_EQ(table.rows[1].target(1e-8).success_rate, 1.0);
 }
 
+// A trial that starts at 0.73763 and gets no further, and one that does.
+ProblemTable table_from(double start, std::optional<double> known, double cost = 0.3) {
+  std::vector<TrialRecord> records = {trial("a", 0, {}), trial("b", 0, {{40, start * (1.0 - 1e-12)}})};
+  for (TrialRecord& record : records) {
+    record.start = {cost, start, 0.02};
+    record.trace.front().quality = start;
+    record.best->summary.quality = record.trace.back().quality;
+  }
+  return make_table("p", known ? std::optional(KnownOptimum{*known, "by hand", {}}) : std::nullopt,
+                    std::vector<RowRequest>{{"a", "a", true}, {"b", "b", false}}, records);
+}
+
+void expect_reached_at_the_start(const ProblemTable& table) {
+  for (const OptimizerRow& row : table.rows)
+    for (const TargetRow& target : row.targets) {
+      EXPECT_EQ(target.success_rate, 1.0) << row.label << ", " << target.gap;
+      EXPECT_EQ(target.median[static_cast<std::size_t>(Axis::evaluations)], 0.0) << row.label << ", " << target.gap;
+    }
+}
+
+TEST(Table, CountsAStartThatIsTheBestKnownAsThere) {
+  expect_reached_at_the_start(table_from(0.73763, 0.73763));
+  expect_reached_at_the_start(table_from(0.73763, std::nullopt));  // the best of these trials, to rounding
+  expect_reached_at_the_start(table_from(0.73763, 0.7376));        // as people write it down
+  expect_reached_at_the_start(table_from(0.5, 0.73763));           // better than was known
+  expect_reached_at_the_start(table_from(2.8e-17, 1.4e-17, 1e-34));  // a perfect fit
+}
+
+TEST(Table, KnowsAQualityOnlyToItsDigits) {
+  EXPECT_EQ(table_from(0.73766, 0.7376).rows[0].targets[0].success_rate, 0.0);   // rounds to 0.7377
+  EXPECT_EQ(table_from(0.73763, 0.73762).rows[0].targets[0].success_rate, 0.0);  // given with five digits
+  EXPECT_EQ(table_from(1.3, 1.0).rows[0].targets[0].success_rate, 0.0);          // one digit, but never beyond 1e-4
+  EXPECT_EQ(table_from(1e-3, 0.0).rows[0].targets[0].success_rate, 0.0);
+}
+
 TEST(Table, OfNoTrialsSaysNothing) {
   const std::vector<RowRequest> rows = {{"a", "a", true}};
   const ProblemTable table = make_table("p", std::nullopt, rows, {});

@@ -4,8 +4,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <thread>
+#include <utility>
+#include <vector>
+
+#include <nodal/agreement.h>
 
 #include "../support/count_allocations.h"
 #include "toy.h"
@@ -163,6 +168,172 @@ TEST(Meter, TakesAProposalAsTheBestPoint) {
   EXPECT_EQ(b.meter.best_cost(), better.cost);
   EXPECT_EQ(b.meter.best_evaluation(), 1);
   EXPECT_TRUE(std::ranges::equal(b.meter.best_point(), std::vector<double>{-1.5, -1.5, 0.75}));
+}
+
+// Prices at a tenth of the cost, until told to be honest; finds itself refuted when told so.
+class FalseMoves final : public Moves {
+ public:
+  Evaluation reset(std::span<const double> x) override {
+    x_.assign(x.begin(), x.end());
+    return {Status::ok, toy::bowl(x_)};
+  }
+  Evaluation propose(std::size_t i, double value) override {
+    proposed_ = x_;
+    proposed_[i] = value;
+    return {Status::ok, (honest ? 1.0 : 0.1) * toy::bowl(proposed_)};
+  }
+  [[nodiscard]] Status accept() override {
+    x_ = proposed_;
+    if (refuted) ++refutations_;
+    return Status::ok;
+  }
+  [[nodiscard]] std::span<const double> current_point() const override { return x_; }
+  Evaluation resync() override { return {Status::ok, toy::bowl(x_)}; }
+  [[nodiscard]] std::int64_t contradictions() const override { return refutations_; }
+
+  bool honest = false, refuted = false;
+
+ private:
+  std::vector<double> x_, proposed_;
+  std::int64_t refutations_ = 0;
+};
+
+class FalsePricing final : public Evaluator {
+ public:
+  Evaluation value(std::span<const double> x) override { return {Status::ok, toy::bowl(x)}; }
+  [[nodiscard]] Moves* moves() override { return &false_moves; }
+  FalseMoves false_moves;
+};
+
+// Walks from the start, (−1.5, −1.5, −1.5), to the bowl's optimum, (0.25, 0.5, 0.75), coordinate by coordinate.
+struct FalseWalk {
+  FalseWalk() { EXPECT_TRUE(moves.reset(problem.space().start()).ok()); }
+  Evaluation step(std::size_t i, double value) {
+    const Evaluation priced = moves.propose(i, value);
+    if (priced.ok()) {
+      EXPECT_EQ(moves.accept(), Status::ok);
+    }
+    return priced;
+  }
+  void expect_best_as_evaluated() const {
+    EXPECT_EQ(meter.best_cost(), toy::bowl(meter.best_point()));
+    EXPECT_EQ(meter.trace().back().evaluation, meter.best_evaluation());
+    EXPECT_EQ(meter.trace().back().quality, problem.quality(meter.best_cost()));
+    for (std::size_t i = 1; i < meter.trace().size(); ++i)
+      EXPECT_LT(meter.trace()[i].quality, meter.trace()[i - 1].quality);
+  }
+  toy::ToyProblem problem;
+  FalsePricing evaluator;
+  Meter meter{problem, evaluator, problem.space().start(), {}};
+  MeteredMoves& moves = meter.moves();
+};
+
+TEST(RefutedPrices, TakeTheirBestBackAtAResync) {
+  FalseWalk walk;
+  walk.evaluator.false_moves.honest = true;
+  (void)walk.step(0, 0.25);
+  walk.evaluator.false_moves.honest = false;
+  (void)walk.step(0, -1.5);  // worse than that, and priced as better
+  (void)walk.step(1, 0.0);   // better than the start, not as good as priced
+  EXPECT_EQ(walk.meter.best_evaluation(), 3);
+  EXPECT_LT(walk.meter.best_cost(), toy::bowl(walk.meter.best_point()));
+  const double fresh = walk.moves.resync().cost;
+  EXPECT_EQ(walk.moves.current_cost(), fresh);
+  EXPECT_EQ(walk.meter.best_evaluation(), 3);  // at its true cost
+  walk.expect_best_as_evaluated();
+  EXPECT_EQ(walk.meter.trace().size(), 2u);  // start and best: nothing confirmed what was between
+  EXPECT_EQ(walk.meter.moves_report()->taken_back, 1);
+  EXPECT_NEAR(*walk.meter.drift(), 0.9, 1e-12);
+}
+
+TEST(RefutedPrices, LeaveTheStartAsTheBestWhereNothingWasBetter) {
+  FalseWalk walk;
+  (void)walk.step(0, -2.0);
+  EXPECT_EQ(walk.meter.best_evaluation(), 1);
+  (void)walk.moves.resync();
+  EXPECT_EQ(walk.meter.best_evaluation(), 0);
+  EXPECT_TRUE(std::ranges::equal(walk.meter.best_point(), walk.problem.space().start()));
+  walk.expect_best_as_evaluated();
+  // From here on true improvements are improvements.
+  walk.evaluator.false_moves.honest = true;
+  (void)walk.step(0, -1.0);
+  EXPECT_EQ(walk.meter.best_evaluation(), 2);
+  walk.expect_best_as_evaluated();
+}
+
+TEST(RefutedPrices, EndNoTrialAtItsTarget) {
+  FalseWalk walk;
+  walk.meter.set_target(1.0);  // √(Σ (x − c)²); the start has 3.5, priced at 0.1 of the cost 1.1
+  (void)walk.step(0, 0.25);    // 3.0, priced as 0.96
+  EXPECT_FALSE(walk.meter.spent());
+  walk.expect_best_as_evaluated();
+  (void)walk.step(1, 0.5);  // 2.25, priced as 0.7
+  EXPECT_FALSE(walk.meter.spent());
+  (void)walk.step(2, 0.5);  // 0.25
+  EXPECT_EQ(walk.meter.stop(), Stop::target);
+  walk.expect_best_as_evaluated();
+  EXPECT_EQ(walk.meter.counts().evaluations, 3);
+}
+
+TEST(RefutedPrices, AreLookedAtAgainWhenTheWalkFindsOut) {
+  FalseWalk walk;
+  walk.evaluator.false_moves.refuted = true;
+  (void)walk.step(0, -2.0);
+  EXPECT_EQ(walk.meter.best_evaluation(), 0);
+  EXPECT_EQ(walk.moves.current_cost(), toy::bowl(walk.moves.current_point()));
+  walk.expect_best_as_evaluated();
+}
+
+TEST(RefutedPrices, AreLookedAtAgainWhereAWalkReturnsToTheBest) {
+  FalseWalk walk;
+  (void)walk.step(0, -2.0);
+  const std::vector<double> best(walk.meter.best_point().begin(), walk.meter.best_point().end());
+  ASSERT_TRUE(walk.moves.reset(best).ok());
+  EXPECT_EQ(walk.meter.best_evaluation(), 0);
+  walk.expect_best_as_evaluated();
+}
+
+TEST(RefutedPrices, ThatHoldChangeNothing) {
+  FalseWalk walk;
+  walk.evaluator.false_moves.honest = true;
+  walk.meter.set_target(0.3);
+  for (const auto& [i, value] : std::vector<std::pair<std::size_t, double>>{{0, 0.0}, {1, 0.0}, {2, 0.0}, {2, 0.75}})
+    (void)walk.step(i, value);
+  (void)walk.moves.resync();
+  EXPECT_EQ(walk.meter.trace().size(), 5u);
+  EXPECT_EQ(walk.meter.stop(), Stop::none);  // 0.56
+  EXPECT_FALSE(walk.meter.moves_report().has_value());
+  EXPECT_EQ(walk.meter.drift(), 0.0);
+}
+
+TEST(Meter, TakesNoPointOutsideTheBox) {
+  Bench b({}, [](std::span<const double> x) { return -x[0]; });  // in [−2, 3]³
+  const std::vector<double> inside = {2.0, 0.0, 0.0}, outside = {3.5, 0.0, 0.0}, nowhere = {2.5, std::nan(""), 0.0};
+  EXPECT_TRUE(b.meter.value(inside).ok());
+  EXPECT_FALSE(b.meter.outside().has_value());
+  EXPECT_TRUE(b.meter.value(outside).ok());
+  EXPECT_TRUE(b.meter.value(nowhere).ok());
+  (void)b.meter.moves().reset(inside);
+  EXPECT_TRUE(b.meter.moves().propose(0, 4.0).ok());
+  EXPECT_TRUE(std::ranges::equal(b.meter.best_point(), inside));
+  EXPECT_EQ(b.meter.best_evaluation(), 1);
+  ASSERT_TRUE(b.meter.outside().has_value());
+  EXPECT_EQ(b.meter.outside()->evaluation, 2);
+  EXPECT_EQ(b.meter.outside()->coordinate, 0u);
+  EXPECT_EQ(b.meter.outside()->value, 3.5);
+}
+
+TEST(Agreement, IsRelativeToTheCostAndToWhatARaceCanTell) {
+  EXPECT_DOUBLE_EQ(relative_drift(1.5, 1.0), 0.5);
+  EXPECT_DOUBLE_EQ(relative_drift(0.5e-3, 1e-3), 0.5);
+  EXPECT_LE(relative_drift(3e-32, 1e-32), 1e-11);  // rounding of a perfect fit
+  EXPECT_FALSE(contradicts(1.0, 1.0));
+  EXPECT_FALSE(contradicts(1.0 - 1e-7, 1.0));
+  EXPECT_TRUE(contradicts(1.0 - 2e-6, 1.0));
+  EXPECT_TRUE(contradicts(1e-4 * (1.0 - 2e-6), 1e-4));
+  EXPECT_FALSE(contradicts(2.0, 1.0));  // seen as worse than it is
+  EXPECT_FALSE(contradicts(1e-34, 8e-34));
+  EXPECT_TRUE(contradicts(1e-34, 1e-19));
 }
 
 TEST(Meter, RefusesAStartOfTheWrongSize) {

@@ -4,6 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
 #include <set>
 
 #include "toy.h"
@@ -38,26 +41,55 @@ class Throwing final : public Optimizer {
   }
 };
 
-// Its races see costs; refined, every point but the start is refused.
-class UnauditedEvaluator final : public Evaluator {
- public:
-  Evaluation value(std::span<const double> x) override { return {Status::ok, toy::bowl(x)}; }
-  Evaluation audit(std::span<const double> x) override {
-    if (x[0] == -1.5) return value(x);
-    return {Status::ill_conditioned, 0.0};
-  }
+// How a problem misbehaves where a trial is reported, or during the race.
+struct Mischief {
+  std::function<Evaluation(std::span<const double>)> audit = [](std::span<const double> x) {
+    return Evaluation{Status::ok, toy::bowl(x)};
+  };
+  std::function<double(double)> quality = [](double c) { return std::sqrt(2.0 * c); };
+  std::function<double(double)> relative_error = [](double c) { return c; };
+  std::function<double(std::span<const double>)> cost = toy::bowl;
 };
 
-class UnauditedProblem final : public Problem {
+class MischievousEvaluator final : public Evaluator {
  public:
+  explicit MischievousEvaluator(const Mischief& mischief) : mischief_(mischief) {}
+  Evaluation value(std::span<const double> x) override { return {Status::ok, mischief_.cost(x)}; }
+  Evaluation audit(std::span<const double> x) override { return mischief_.audit(x); }
+
+ private:
+  const Mischief& mischief_;
+};
+
+class MischievousProblem final : public Problem {
+ public:
+  explicit MischievousProblem(Mischief mischief) : mischief_(std::move(mischief)) {}
   [[nodiscard]] const Space& space() const override { return toy_.space(); }
   [[nodiscard]] Abilities abilities() const override { return {}; }
+  [[nodiscard]] double quality(double cost) const override { return mischief_.quality(cost); }
+  [[nodiscard]] std::optional<double> relative_error(double cost) const override {
+    return mischief_.relative_error(cost);
+  }
   [[nodiscard]] std::unique_ptr<Evaluator> make_evaluator() const override {
-    return std::make_unique<UnauditedEvaluator>();
+    return std::make_unique<MischievousEvaluator>(mischief_);
   }
 
  private:
+  Mischief mischief_;
   toy::ToyProblem toy_;
+};
+
+// Out of the box, to a better point than the start, and back in.
+class Leaving final : public Optimizer {
+ public:
+  Outcome minimize(Meter& meter, std::span<const double>, RandomStream&) override {
+    const std::vector<double> outside = {0.2, 3.5, 0.7}, inside = {0.0, 0.0, 0.0};
+    (void)meter.value(outside);
+    (void)meter.value(inside);
+    Outcome outcome;
+    outcome.reason = "left";
+    return outcome;
+  }
 };
 
 Registry toy_registry() {
@@ -66,6 +98,8 @@ Registry toy_registry() {
       .name = "halving", .deterministic = true, .make = [](const Options&) { return std::make_unique<Halving>(); }});
   registry.add(
       OptimizerDescription{.name = "throwing", .make = [](const Options&) { return std::make_unique<Throwing>(); }});
+  registry.add(
+      OptimizerDescription{.name = "leaving", .make = [](const Options&) { return std::make_unique<Leaving>(); }});
   return registry;
 }
 
@@ -81,17 +115,18 @@ Study toy_study() {
   study.problems.push_back(problem);
   study.optimizers.push_back({.label = "halving", .use = "halving", .options = {}, .deterministic = true});
   study.optimizers.push_back({.label = "throwing", .use = "throwing", .options = {}});
+  study.optimizers.push_back({.label = "leaving", .use = "leaving", .options = {}});
   return study;
 }
 
 TEST(Trials, OfDeterministicMethodsRunThreeTimes) {
   Study study = toy_study();
   const std::vector<Trial> trials = all_trials(study);
-  EXPECT_EQ(trials.size(), 18u);
+  EXPECT_EQ(trials.size(), 33u);
   study.starts = Starts::sampled;
-  EXPECT_EQ(all_trials(study).size(), 30u);
+  EXPECT_EQ(all_trials(study).size(), 45u);
   study.repeats = 2;
-  EXPECT_EQ(all_trials(study).size(), 4u);
+  EXPECT_EQ(all_trials(study).size(), 6u);
 }
 
 TEST(Trials, HaveDifferentKeys) {
@@ -176,14 +211,174 @@ TEST(Trial, OfAProblemThatThrowsAtItsStartIsARowWithTheReason) {
   EXPECT_FALSE(record.best.has_value());
 }
 
+TrialRecord run_mischief(Mischief mischief, std::size_t optimizer = 0) {
+  Study study = toy_study();
+  study.problems[0].problem = std::make_shared<MischievousProblem>(std::move(mischief));
+  const TrialRecord record = run_trial(study, {0, optimizer, 0}, toy_registry());
+  EXPECT_EQ(to_json_line(parse_record(to_json_line(record), "line")), to_json_line(record));
+  return record;
+}
+
+void expect_the_race_kept(const TrialRecord& record) {
+  EXPECT_EQ(record.counts.evaluations, 40);
+  ASSERT_TRUE(record.best.has_value());
+  EXPECT_EQ(record.best->evaluation, 40);
+  EXPECT_LT(record.best->summary.cost.value_or(1.0), 1e-20);
+}
+
+bool at_the_start(std::span<const double> x) { return x[0] == -1.5; }
+
 // A race that was won by a value which a refined evaluation refuses has not been won.
 TEST(Trial, FailsWhenNothingVouchesForItsBest) {
-  Study study = toy_study();
-  study.problems[0].problem = std::make_shared<UnauditedProblem>();
-  const TrialRecord record = run_trial(study, {0, 0, 0}, toy_registry());
+  const TrialRecord record = run_mischief({.audit = [](std::span<const double> x) {
+    return at_the_start(x) ? Evaluation{Status::ok, toy::bowl(x)} : Evaluation{Status::ill_conditioned, 0.0};
+  }});
   EXPECT_EQ(record.end, End::failed);
   EXPECT_EQ(record.reason, "40 halvings; a fresh evaluation of the best point is ill_conditioned");
   EXPECT_FALSE(record.health.cost_error.has_value());
+  expect_the_race_kept(record);
+}
+
+TEST(Trial, KeepsWhatTheRaceSawWhereTheAuditSaysNoNumber) {
+  for (const double bad : {std::nan(""), -std::numeric_limits<double>::infinity()}) {
+    const TrialRecord record = run_mischief({.audit = [bad](std::span<const double> x) {
+      return Evaluation{Status::ok, at_the_start(x) ? toy::bowl(x) : bad};
+    }});
+    EXPECT_EQ(record.end, End::failed);
+    EXPECT_EQ(record.reason, "40 halvings; a fresh evaluation of the best point is invalid_input");
+    expect_the_race_kept(record);
+    EXPECT_EQ(record.trace.size(), 41u);
+  }
+}
+
+TEST(Trial, KeepsWhatTheRaceSawWhereTheAuditThrows) {
+  const TrialRecord record = run_mischief(
+      {.audit = [](std::span<const double>) -> Evaluation { throw std::runtime_error("no refinement"); }});
+  EXPECT_EQ(record.end, End::failed);
+  EXPECT_EQ(record.reason,
+            "40 halvings; a fresh evaluation of the start threw: no refinement; a fresh evaluation of the best point "
+            "threw: no refinement");
+  expect_the_race_kept(record);
+  EXPECT_EQ(record.start.cost, toy::bowl(std::vector<double>{-1.5, -1.5, -1.5}));
+}
+
+TEST(Trial, SaysWhichFigureIsNoNumber) {
+  const TrialRecord quality = run_mischief({.quality = [](double) { return std::nan(""); }});
+  EXPECT_EQ(quality.end, End::failed);
+  EXPECT_EQ(quality.reason, "40 halvings; the quality of the start is nan; the quality of the best point is nan");
+  expect_the_race_kept(quality);
+  EXPECT_FALSE(quality.best->summary.quality.has_value());
+  EXPECT_TRUE(quality.best->summary.relative_error.has_value());
+  const TrialRecord error = run_mischief({.relative_error = [](double) { return std::nan(""); }});
+  EXPECT_EQ(error.end, End::failed);
+  EXPECT_EQ(error.reason,
+            "40 halvings; the relative error of the start is nan; the relative error of the best point is nan");
+  expect_the_race_kept(error);
+  EXPECT_EQ(error.trace.size(), 41u);
+}
+
+// Minus infinity is no cost, whatever is lower.
+TEST(Trial, CountsMinusInfinityAsRefused) {
+  const auto cost = [](std::span<const double> x) {
+    return x[0] > 0.2 ? -std::numeric_limits<double>::infinity() : toy::bowl(x);
+  };
+  const TrialRecord record = run_mischief({.cost = cost});
+  EXPECT_EQ(record.end, End::finished);
+  EXPECT_GT(record.health.refused, 30);
+  ASSERT_TRUE(record.best.has_value());
+  EXPECT_LE(record.best->x[0], 0.2);
+}
+
+TEST(Trial, FailsWithoutAnyFiniteCost) {
+  Study study = toy_study();
+  study.budget.evaluations = 30;  // and so by its budget, not by itself
+  study.problems[0].problem = std::make_shared<MischievousProblem>(Mischief{.cost = [](std::span<const double>) {
+    return std::numeric_limits<double>::infinity();
+  }});
+  const TrialRecord record = run_trial(study, {0, 0, 0}, toy_registry());
+  EXPECT_EQ(record.end, End::failed);
+  EXPECT_EQ(record.reason, "evaluations spent; no point had a finite cost");
+  EXPECT_FALSE(record.best.has_value());
+  EXPECT_EQ(record.health.refused, 30);
+}
+
+// The race's values are a hundredth too low everywhere.
+TEST(Trial, FailsWhereItsTraceLiesBelowItsBest) {
+  const auto plain = [](std::span<const double> x) { return 1.0 + toy::bowl(x); };
+  const auto audit = [plain](std::span<const double> x) { return Evaluation{Status::ok, plain(x)}; };
+  const auto off_by = [&](double share) {
+    return run_mischief({.audit = audit, .cost = [=](std::span<const double> x) { return plain(x) * (1.0 - share); }});
+  };
+  const TrialRecord false_one = off_by(0.01);
+  EXPECT_EQ(false_one.end, End::failed);
+  EXPECT_EQ(false_one.reason,
+            "40 halvings; the race saw a cost of 0.99 at the best point, a fresh evaluation says 1");
+  EXPECT_NEAR(*false_one.health.drift, 0.01, 1e-12);
+  EXPECT_EQ(off_by(1e-5).end, End::failed);
+  EXPECT_EQ(off_by(1e-7).end, End::finished);
+  EXPECT_EQ(off_by(-0.01).end, End::finished);  // seen as worse than it is
+}
+
+TEST(Trial, FailsWhereABetterPointIsOutsideTheBox) {
+  const TrialRecord record = run_mischief({}, 2);
+  EXPECT_EQ(record.end, End::failed);
+  EXPECT_EQ(record.reason,
+            "left; a better point, at evaluation 1, lies outside the box: x1 = 3.5 is not within [-2, 3]");
+  ASSERT_TRUE(record.best.has_value());
+  EXPECT_EQ(record.best->x, (std::vector<double>{0.0, 0.0, 0.0}));
+  EXPECT_EQ(record.best->evaluation, 2);
+}
+
+TEST(Trial, FailsWhereTheProblemChangesItsPoints) {
+  const auto change = [](std::span<const double> x) { const_cast<double*>(x.data())[0] = 1e6; };
+  const TrialRecord racing = run_mischief({.cost = [=](std::span<const double> x) {
+    const double cost = toy::bowl(x);
+    if (cost < 1.0) change(x);
+    return cost;
+  }});
+  EXPECT_EQ(racing.end, End::failed);
+  EXPECT_NE(racing.reason.find("lies outside the box: x0 = 1000000"), std::string::npos) << racing.reason;
+  const TrialRecord audited = run_mischief({.audit = [=](std::span<const double> x) {
+    const double cost = toy::bowl(x);
+    change(x);
+    return Evaluation{Status::ok, cost};
+  }});
+  EXPECT_EQ(audited.end, End::failed);
+  EXPECT_NE(audited.reason.find("the problem changes the point that it is given"), std::string::npos) << audited.reason;
+  EXPECT_NEAR(audited.best->x[0], 0.25, 1e-9);
+}
+
+// The race sees the start a little off; start and best are reported from the same refined evaluation.
+TEST(Trial, MeasuresStartAndBestAlike) {
+  Study study = toy_study();
+  const auto audit = [](std::span<const double> x) { return Evaluation{Status::ok, 1.0 + toy::bowl(x)}; };
+  const auto cost = [](std::span<const double> x) {
+    return (1.0 + toy::bowl(x)) * (1.0 + 1e-12) + (at_the_start(x) ? 0.0 : 99.0);
+  };
+  study.problems[0].problem = std::make_shared<MischievousProblem>(Mischief{.audit = audit, .cost = cost});
+  const TrialRecord record = run_trial(study, {0, 0, 0}, toy_registry());
+  EXPECT_EQ(record.end, End::finished) << record.reason;
+  EXPECT_EQ(record.best->evaluation, 0);
+  EXPECT_EQ(record.start.cost, record.best->summary.cost);
+  EXPECT_EQ(record.start.quality, record.best->summary.quality);
+  ASSERT_EQ(record.trace.size(), 1u);
+  EXPECT_EQ(record.trace[0].quality, record.best->summary.quality);
+}
+
+TEST(Trial, ThatStartsAtTheBestKnownIsAtItsTarget) {
+  Study study = toy_study();
+  study.budget.target_gap = 1e-3;
+  const auto cost = [](std::span<const double> x) { return at_the_start(x) ? 0.5 * 0.73763 * 0.73763 : 9.0; };
+  const auto audit = [=](std::span<const double> x) { return Evaluation{Status::ok, cost(x)}; };
+  study.problems[0].problem = std::make_shared<MischievousProblem>(Mischief{.audit = audit, .cost = cost});
+  const auto end_with = [&](double best_known) {
+    study.problems[0].best_known = KnownOptimum{best_known, "by hand", {}};
+    const TrialRecord record = run_trial(study, {0, 0, 0}, toy_registry());
+    return std::pair(record.end, record.counts.evaluations);
+  };
+  EXPECT_EQ(end_with(0.7376), std::pair(End::target, std::int64_t{0}));
+  EXPECT_EQ(end_with(0.73763), std::pair(End::target, std::int64_t{0}));
+  EXPECT_EQ(end_with(0.73762).first, End::finished);
 }
 
 TEST(Trial, IsAPureFunctionButForSeconds) {

@@ -30,6 +30,7 @@ struct Shape {
   std::vector<double> centre = {0.25, 0.5};  ///< of the bowl r_i = x_i − c_i
   bool rosenbrock = false;                   ///< r = (10 (x₁ − x₀²), 1 − x₀), optimum (1, 1)
   bool flat = false;                         ///< r = 1 everywhere
+  double start = kStart;
   Hook hook = [](std::span<const double>) { return 1.0; };
 };
 
@@ -106,7 +107,7 @@ class LeastSquares final : public Problem {
   explicit LeastSquares(Shape shape) : shape_(std::move(shape)) {
     std::vector<Coordinate> coordinates;
     for (std::size_t i = 0; i < shape_.coordinates; ++i)
-      coordinates.push_back({"x" + std::to_string(i), -2.0, 3.0, kStart});
+      coordinates.push_back({"x" + std::to_string(i), -2.0, 3.0, shape_.start});
     space_ = Space(coordinates);
   }
   [[nodiscard]] const Space& space() const override { return space_; }

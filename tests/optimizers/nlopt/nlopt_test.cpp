@@ -111,6 +111,35 @@ TEST_P(NloptMethods, EndOnAFlatCost) {
   EXPECT_EQ(report.best_cost, report.start_cost);
 }
 
+TEST_P(NloptMethods, HaveFinishedWhereTheStartIsTheOptimum) {
+  for (const double off : {0.0, 1e-13, 1e-9}) {
+    const Report report = run(method(), toy::Shape{.centre = {toy::kStart + off, toy::kStart}}, evaluations(500));
+    EXPECT_FALSE(report.outcome.failed) << off << ": " << report.outcome.reason;
+    EXPECT_FALSE(report.outcome.reason.empty());
+    EXPECT_LE(report.best_cost, report.start_cost);
+  }
+}
+
+// The slope is steep there, but leads out of the box.
+TEST_P(NloptMethods, HaveFinishedWhereTheStartIsTheBestCorner) {
+  toy::Shape shape = toy::bowl_beyond_the_box();
+  shape.start = 3.0;
+  const Report report = run(method(), shape, evaluations(500));
+  EXPECT_FALSE(report.outcome.failed) << report.outcome.reason;
+  EXPECT_NEAR(report.best_cost, 2.5, 1e-12);
+}
+
+// A slope that leads nowhere: ten times the cost wherever one goes. Line searches find no way on, and that is a failure.
+TEST(NloptLineSearches, FailWhereASlopeLeadsNowhere) {
+  const auto only_the_start = [](std::span<const double> x) {
+    return x[0] == toy::kStart && x[1] == toy::kStart ? 1.0 : 10.0;
+  };
+  for (const char* name : {"nlopt-lbfgs", "nlopt-var2"}) {
+    const Report report = run(description(name), toy::with_hook(only_the_start), evaluations(2000));
+    EXPECT_TRUE(report.outcome.failed) << name << ": " << report.outcome.reason;
+  }
+}
+
 TEST_P(NloptMethods, RepeatTheirTraceForTheSameSeed) {
   const std::unique_ptr<Optimizer> optimizer = method().make(toy::options_for(method()));
   const Report first = run(*optimizer, toy::rosenbrock(), evaluations(500), 7);
