@@ -41,7 +41,7 @@ void Progress::finished(const TrialRecord& record, std::size_t done, std::size_t
 
 void Progress::warned(const std::string& warning) {
   close();
-  std::cerr << "warning: " << warning << '\n';
+  std::cerr << "warning: " << report::printable(warning) << '\n';
 }
 
 void Progress::close() {
@@ -76,8 +76,10 @@ std::string trial_line(const TrialRecord& record) {
     line += fmt::format("relative error {:.4g}, ", *record.best->summary.relative_error);
   else if (record.best && record.best->summary.quality)
     line += fmt::format("quality {:.4g}, ", *record.best->summary.quality);
-  line += fmt::format("{} evaluations, {:.3g} s ({}{}{})", record.counts.evaluations, record.seconds.total,
-                      to_string(record.end), record.reason.empty() ? "" : ": ", record.reason);
+  const std::string why = contamination(record);
+  line += fmt::format("{} evaluations, {:.3g} s ({}{}{}){}", record.counts.evaluations, record.seconds.total,
+                      to_string(record.end), record.reason.empty() ? "" : ": ", record.reason,
+                      why.empty() ? "" : "; contaminated: " + why);
   return report::printable(line);
 }
 

@@ -4,6 +4,8 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <cerrno>
+
 namespace nodal {
 
 namespace {
@@ -11,6 +13,7 @@ namespace {
 // Bytes of the file that locks are put on; it needs no content for that.
 constexpr off_t kWriters = 0;
 constexpr off_t kManifest = 1;
+constexpr int kMostTries = 100;  // 1 s
 
 struct flock lock_on(off_t byte, int type) {
   struct flock lock {};
@@ -21,17 +24,17 @@ struct flock lock_on(off_t byte, int type) {
   return lock;
 }
 
-void set(int descriptor, int command, off_t byte, int type) noexcept {
-  if (descriptor < 0) return;
+// False when another process holds it; where there are no locks, nobody does.
+bool set(int descriptor, off_t byte, int type) noexcept {
   struct flock lock = lock_on(byte, type);
-  ::fcntl(descriptor, command, &lock);
+  return descriptor < 0 || ::fcntl(descriptor, F_SETLK, &lock) == 0 || (errno != EACCES && errno != EAGAIN);
 }
 
 }  // namespace
 
 StoreLock::StoreLock(const std::filesystem::path& directory)
     : descriptor_(::open((directory / ".lock").c_str(), O_RDWR | O_CREAT | O_NONBLOCK | O_CLOEXEC, 0666)) {
-  set(descriptor_, F_SETLK, kWriters, F_RDLCK);
+  set(descriptor_, kWriters, F_RDLCK);
 }
 
 StoreLock::~StoreLock() {
@@ -44,10 +47,11 @@ std::optional<int> StoreLock::other_writer() const noexcept {
   return static_cast<int>(lock.l_pid);
 }
 
+// Whoever holds it for longer was stopped in the middle; its manifest is whole, as that is replaced at once.
 StoreLock::Alone::Alone(const StoreLock& lock) noexcept : lock_(lock) {
-  set(lock_.descriptor_, F_SETLKW, kManifest, F_WRLCK);
+  for (int tries = 0; tries < kMostTries && !set(lock_.descriptor_, kManifest, F_WRLCK); ++tries) ::usleep(10000);
 }
 
-StoreLock::Alone::~Alone() { set(lock_.descriptor_, F_SETLK, kManifest, F_UNLCK); }
+StoreLock::Alone::~Alone() { set(lock_.descriptor_, kManifest, F_UNLCK); }
 
 }  // namespace nodal

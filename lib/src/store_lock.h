@@ -2,7 +2,8 @@
 #pragma once
 
 /// Who else writes to a store: every comparison holds a shared lock on the store's file `.lock` while it lives, and
-/// asks whether another process does. Nobody waits for anybody; where the file system has no locks, nobody is seen.
+/// asks whether another process does. Nobody waits for anybody for long; where the file system has no locks, nobody is
+/// seen.
 ///
 /// The locks are those of fcntl(2): children don't inherit them, and they tell who holds them.
 
@@ -21,7 +22,8 @@ class StoreLock {
   /// The process of another comparison that writes here now.
   [[nodiscard]] std::optional<int> other_writer() const noexcept;
 
-  /// While it lives no other process is in such a scope: for reading, changing and writing the manifest.
+  /// While it lives no other process is in such a scope, unless that one stays for over a second: for reading, changing
+  /// and writing the manifest.
   class Alone {
    public:
     explicit Alone(const StoreLock& lock) noexcept;

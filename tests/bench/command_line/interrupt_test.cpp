@@ -99,7 +99,8 @@ TEST(Removed, StoreIsNoticed) {
   const std::filesystem::path store = folder.path() / "results" / "slow";
   Started program(folder, {"compare", "slow.toml"});
   const bool began = wait_for_lines(store / "trials", 1);
-  std::filesystem::remove_all(store);
+  std::filesystem::rename(store, folder.path() / "gone");  // at once; removing takes its time
+  std::filesystem::remove_all(folder.path() / "gone");
   const Output output = program.wait();
   ASSERT_TRUE(began);
   EXPECT_EQ(output.exit, 2);

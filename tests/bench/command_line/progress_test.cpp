@@ -18,7 +18,7 @@ TrialRecord finished_record() {
   record.reason = "144 temperatures done";
   record.best = BestPoint{7, {0.5, 0.9, 0.0174}, {}};
   record.counts.evaluations = 20880;
-  record.seconds.total = 0.31;
+  record.seconds.total = record.seconds.cpu = 0.31;
   return record;
 }
 
@@ -60,6 +60,13 @@ TEST(Progress, IsALinePerTrialElsewhere) {
             "running 12 trials\n"
             "[ 1/12] annealing, repeat 3: relative error 0.0174, 20880 evaluations, 0.31 s (finished: 144 temperatures "
             "done)\n");
+}
+
+TEST(Progress, SaysWhichTimesAreNotToBeTrusted) {
+  TrialRecord record = finished_record();
+  record.seconds.cpu = 0.155;
+  EXPECT_TRUE(trial_line(record).ends_with("(finished: 144 temperatures done); contaminated: got 0.50 of a core"))
+      << trial_line(record);
 }
 
 }  // namespace
