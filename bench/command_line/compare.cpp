@@ -68,7 +68,7 @@ int compare_command(const CompareArguments& arguments, const Registry& registry)
   // Read back: what the report shows is what is on the disk.
   std::vector<Store> stores;
   stores.push_back(Store::open_existing(directory));
-  write_report(stores, registry, stores.front());
+  write_report(stores, registry, stores.front(), &study);
   return result.failed > 0 ? kExitTrialFailed : 0;
 }
 

@@ -10,8 +10,9 @@
 
 namespace nodal {
 
-/// `target` is the store that gets the files: one of `stores`, or another. The studies' problems are built again for
-/// the pictures; where that fails, the report goes without them and says so.
-void write_report(std::span<const Store> stores, const Registry& registry, Store& target);
+/// `target` is the store that gets the files: one of `stores`, or another. Pictures are made of `study` where the
+/// stores are its own; else the studies' problems are built again, and where that fails the report goes without and
+/// says so. Files are written before anything is printed.
+void write_report(std::span<const Store> stores, const Registry& registry, Store& target, const Study* study = nullptr);
 
 }  // namespace nodal

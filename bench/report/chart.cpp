@@ -18,9 +18,13 @@ constexpr std::array<Axis, 3> kAxes = {Axis::seconds, Axis::evaluations, Axis::w
 // remains of them.
 constexpr int kPositionDigits = 5, kQualityDigits = 12;
 
+// What lies beyond was never measured, and powers of it overflow on the way to an axis.
+constexpr double kLargest = 1e100;
+bool sane(double value) { return std::abs(value) <= kLargest; }
+
 bool drawable(const CurvePoint& p) {
-  return std::isfinite(p.position) && p.position > 0.0 && std::isfinite(p.quality.lower) &&
-         std::isfinite(p.quality.median) && std::isfinite(p.quality.upper);
+  return sane(p.position) && p.position >= 1.0 / kLargest && sane(p.quality.lower) && sane(p.quality.median) &&
+         sane(p.quality.upper);
 }
 
 // A logarithmic axis has no place for zero.
@@ -72,10 +76,13 @@ Value chart_value(const ProblemReport& problem, std::span<const Axis> axes) {
     series.list().push_back(series_value(curves, axes, problem.table));
   const ProblemReference& reference = problem.table.reference;
   value.set("axes", names);
-  if (std::isfinite(reference.best_quality)) value.set("best", reference.best_quality);
+  if (sane(reference.best_quality)) value.set("best", reference.best_quality);
   value.set("provisional", reference.provisional);
-  if (problem.table.start_quality) value.set("start", *problem.table.start_quality);
-  if (problem.error_per_quality) value.set("errorPerQuality", *problem.error_per_quality);
+  // A start at G* has no gap to be measured in.
+  if (const auto& start = problem.table.start_quality; start && sane(*start) && !problem.table.start_is_best)
+    value.set("start", *start);
+  if (problem.error_per_quality && sane(*problem.error_per_quality))
+    value.set("errorPerQuality", *problem.error_per_quality);
   value.set("series", series);
   return value;
 }

@@ -1,15 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "details.h"
 
+#include <cmath>
+
 namespace nodal::report {
 
 namespace {
 
 using elastic::VoronoiStep;
 
-std::optional<double> number_of(const Value& table, std::string_view key) {
+// A figure or a count beyond this is none, and no axis holds it.
+constexpr double kLargest = 1e100, kLargestCount = 1e9;
+
+std::optional<double> number_of(const Value& table, std::string_view key, double largest = kLargest) {
   const Value* value = table.find(key);
-  return value && value->is_number() ? std::optional(value->number()) : std::nullopt;
+  const bool sane = value && value->is_number() && std::abs(value->number()) <= largest;
+  return sane ? std::optional(value->number()) : std::nullopt;
 }
 
 std::string text_of(const Value& table, std::string_view key) {
@@ -20,7 +26,7 @@ std::string text_of(const Value& table, std::string_view key) {
 // A line without one of the three curves can't be drawn.
 std::optional<VoronoiStep> step_of(const Value& line) {
   if (!line.is_table()) return std::nullopt;
-  const auto iteration = number_of(line, "iteration"), distance = number_of(line, "distance_deviation"),
+  const auto iteration = number_of(line, "iteration", kLargestCount), distance = number_of(line, "distance_deviation"),
              area = number_of(line, "area_deviation"), energy = number_of(line, "energy");
   if (!iteration || *iteration < 0.0 || !distance || !area || !energy) return std::nullopt;
   VoronoiStep step;
@@ -39,7 +45,7 @@ MassDetails masses_of(const Value& table) {
   masses.form = text_of(table, "form");
   masses.message = text_of(table, "message");
   masses.smallest = number_of(table, "smallest").value_or(0.0);
-  masses.rank = static_cast<int>(number_of(table, "rank").value_or(0.0));
+  masses.rank = static_cast<int>(number_of(table, "rank", kLargestCount).value_or(0.0));
   if (const Value* errors = table.find("moment_errors"); errors && errors->is_table())
     for (const auto& [name, error] : errors->table())
       if (error.is_number()) masses.moments.push_back({name, error.number()});

@@ -3,10 +3,12 @@
 
 /// The parts that a page is put together from, and how text gets into it safely.
 
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "plate.h"
 #include "report_data.h"
 
 namespace nodal::report {
@@ -21,7 +23,7 @@ namespace nodal::report {
 /// The chart of one problem: its data as JSON, and the empty element that report.js draws into. Empty without curves.
 [[nodiscard]] std::string chart_html(const ProblemReport& problem, std::size_t index);
 /// Before and after, load by load, on one scale of deformation and of colour. Empty without plates.
-[[nodiscard]] std::string plates_html(const std::vector<const Plate*>& plates);
+[[nodiscard]] std::string plates_html(std::span<const Plate> plates);
 
 /// How even the points became, with a chart that voronoi.js draws, and how well the masses move like the body. Empty
 /// where the problem says neither.

@@ -39,12 +39,11 @@ std::string warnings_html(const ReportData& data) {
 
 std::string problem_html(const ReportData& data, std::size_t index) {
   const ProblemReport& problem = data.problems[index];
-  std::vector<const Plate*> plates;
-  for (const Plate& plate : data.plates)
-    if (plate.problem == problem.table.reference.label) plates.push_back(&plate);
+  const auto pictures = data.pictures.find(problem.table.reference.label);
   return "<section class=\"problem\">\n<h2>" + escape_html(problem.table.reference.label) + "</h2>\n" +
          paragraph(describe_reference(problem) + ".") + chart_html(problem, index) + table_html(problem) +
-         plates_html(plates) + details_html(problem.details) + "</section>\n";
+         (pictures == data.pictures.end() ? std::string() : pictures->second) + details_html(problem.details) +
+         "</section>\n";
 }
 
 std::string how_to_read() {

@@ -10,6 +10,7 @@
 
 #include <nodal/elastic/elastic_problem.h>
 
+#include "plate.h"
 #include "report_data.h"
 
 namespace nodal::report {

@@ -43,8 +43,10 @@ std::string scale_svg(const StiffnessColours& colours) {
 
 }  // namespace
 
-std::string plates_html(const std::vector<const Plate*>& plates) {
-  if (plates.empty()) return {};
+std::string plates_html(std::span<const Plate> all) {
+  if (all.empty()) return {};
+  std::vector<const Plate*> plates;
+  for (const Plate& plate : all) plates.push_back(&plate);
   const PlateFrame frame = make_frame(plates);
   const StiffnessColours colours(plates);
   std::string text = "<div class=\"plate-figure\">\n", note;

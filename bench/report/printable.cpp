@@ -6,40 +6,20 @@
 
 #include <fmt/format.h>
 
+#include "utf8.h"
+
 namespace nodal::report {
 
 namespace {
 
 constexpr std::string_view kReplacement = "\xEF\xBF\xBD";
 
-struct Character {
-  std::uint32_t code = 0;
-  std::size_t length = 0;  // 0: no UTF-8
-};
-
-std::size_t length_by_lead(unsigned char lead) {
-  if (lead < 0x80) return 1;
-  if (lead >= 0xC2 && lead < 0xE0) return 2;
-  if (lead >= 0xE0 && lead < 0xF0) return 3;
-  return lead >= 0xF0 && lead < 0xF5 ? 4 : 0;
-}
-
-bool continues(char c) { return (static_cast<unsigned char>(c) & 0xC0u) == 0x80u; }
-
-// The first character. Overlong forms, surrogates and what lies beyond Unicode are no UTF-8: a terminal might read them
-// as the control character that they spell.
-Character decode(std::string_view text) {
-  const auto lead = static_cast<unsigned char>(text[0]);
-  const std::size_t length = length_by_lead(lead);
-  if (length == 0 || text.size() < length) return {};
-  std::uint32_t code = length == 1 ? lead : lead & (0x7Fu >> length);
-  for (std::size_t i = 1; i < length; ++i) {
-    if (!continues(text[i])) return {};
-    code = (code << 6) | (static_cast<unsigned char>(text[i]) & 0x3Fu);
-  }
-  const bool overlong = (length == 3 && code < 0x800) || (length == 4 && code < 0x10000);
-  const bool surrogate = code >= 0xD800 && code < 0xE000;
-  return overlong || surrogate || code > 0x10FFFF ? Character{} : Character{code, length};
+// Of a whole character.
+std::uint32_t code_of(std::string_view character) {
+  const auto lead = static_cast<unsigned char>(character[0]);
+  std::uint32_t code = character.size() == 1 ? lead : lead & (0x7Fu >> character.size());
+  for (const char c : character.substr(1)) code = (code << 6) | (static_cast<unsigned char>(c) & 0x3Fu);
+  return code;
 }
 
 bool obeyed(std::uint32_t c) {
@@ -69,7 +49,8 @@ std::string printable(std::string_view text, Breaks breaks) {
   std::string result;
   result.reserve(text.size());
   while (!text.empty()) {
-    const auto [code, length] = decode(text);
+    const std::size_t length = utf8_character_size(text);
+    const std::uint32_t code = length == 0 ? 0 : code_of(text.substr(0, length));
     const bool kept = breaks == Breaks::keep && (code == '\n' || code == '\t');
     if (length == 0)
       result += kReplacement;
@@ -84,9 +65,10 @@ std::string printable(std::string_view text, Breaks breaks) {
 
 std::size_t unfinished_bytes(std::string_view text) {
   for (std::size_t back = 1; back <= std::min<std::size_t>(3, text.size()); ++back) {
-    const char c = text[text.size() - back];
-    if (continues(c)) continue;
-    return length_by_lead(static_cast<unsigned char>(c)) > back ? back : 0;
+    const auto c = static_cast<unsigned char>(text[text.size() - back]);
+    if ((c & 0xC0u) == 0x80u) continue;  // goes on with a character
+    const std::size_t size = c >= 0xF0 ? 4 : c >= 0xE0 ? 3 : c >= 0xC0 ? 2 : 1;
+    return size > back ? back : 0;
   }
   return 0;
 }

@@ -15,7 +15,8 @@ namespace nodal::report {
 [[nodiscard]] std::string console_table(const ReportData& data, std::size_t width = 140);
 
 /// One header line, then a line per problem and optimizer: every figure in full precision, empty for never and for what
-/// doesn't exist. RFC 4180, with plain newlines.
+/// doesn't exist. RFC 4180, with plain newlines; texts that begin like a formula (= + - @, tab, carriage return) have
+/// an apostrophe in front.
 [[nodiscard]] std::string summary_csv(const ReportData& data);
 
 /// One self-contained page: opens from a file, without a network.

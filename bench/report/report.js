@@ -7,6 +7,7 @@
   // For more lines than colours: the same colours, dashed.
   const DASHES = [[], [7, 3], [2, 2], [9, 3, 2, 3]];
   const SMALLEST_GAP = 1e-9;  // below, a gap is rounding
+  const LARGEST = 1e150;  // beyond, the room about a curve overflows
 
   const AXIS_TITLES = {
     seconds: "time",
@@ -56,7 +57,7 @@
         title: data.errorPerQuality === undefined ? "quality" : "relative error",
         of: (quality) => quality * factor,
         floor: 1e-16,
-        rule: data.best !== undefined && data.best > 0 ? data.best * factor : null,
+        rule: data.best !== undefined && data.best * factor > 1e-150 ? Math.min(LARGEST, data.best * factor) : null,
       },
     };
     if (data.best !== undefined && data.start !== undefined && data.start > data.best)
@@ -71,7 +72,7 @@
 
   function points(data, look, axis, height, hidden) {
     const rows = [];
-    const at = (quality) => Math.max(height.floor, height.of(quality));
+    const at = (quality) => Math.min(LARGEST, Math.max(height.floor, height.of(quality)));
     data.series.forEach((series, index) => {
       if (hidden.has(index)) return;
       const curve = series[axis];

@@ -56,7 +56,8 @@ class Collection {
     for (const Value& entry : list_of(manifest, "left_out"))
       left_out.push_back({text_of(entry, "label"), text_of(entry, "use"), text_of(entry, "reason")});
     for (const Value& run : list_of(manifest, "runs"))
-      if (const Value* build = run.find("provenance"); build && identities_.insert(build_identity(*build)).second)
+      if (const Value* build = run.is_table() ? run.find("provenance") : nullptr;
+          build && build->is_table() && identities_.insert(build_identity(*build)).second)
         builds.push_back(*build);
     add_records(store);
   }
@@ -67,7 +68,7 @@ class Collection {
       if (std::ranges::find(problems, record.problem, &NamedProblem::label) == problems.end())
         problems.push_back({record.problem, "", {}, std::nullopt, "", {}});
       if (std::ranges::find(optimizers, record.optimizer, &RowRequest::label) == optimizers.end())
-        optimizers.push_back({record.optimizer, record.use, false});
+        optimizers.push_back({record.optimizer, record.use, false, false});
     }
   }
 
@@ -114,7 +115,8 @@ class Collection {
   }
 
   void add_optimizer(const Value& optimizer) {
-    const RowRequest row{text_of(optimizer, "label"), text_of(optimizer, "use"), flag_of(optimizer, "baseline")};
+    const RowRequest row{text_of(optimizer, "label"), text_of(optimizer, "use"), flag_of(optimizer, "baseline"),
+                         flag_of(optimizer, "deterministic")};
     const auto same = std::ranges::find(optimizers, row.label, &RowRequest::label);
     if (same == optimizers.end()) {
       optimizers.push_back(row);

@@ -4,10 +4,11 @@
 /// What table, CSV and page are made from: everything a report says, collected once from stored trials.
 ///
 ///     ReportData data = collect(stores);
-///     data.plates = …;                      // plates.h, where a problem is elastic
+///     data.pictures[label] = plates_html(make_plates(…));  // plates.h, html.h: where a problem is elastic
 ///     console_table(data), summary_csv(data), report_html(data)
 
 #include <array>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -18,7 +19,6 @@
 #include <nodal/study.h>
 
 #include "details.h"
-#include "plate.h"
 
 namespace nodal::report {
 
@@ -60,7 +60,7 @@ struct ReportData {
   std::vector<std::string> warnings;
   std::vector<LeftOut> left_out;
   std::vector<FailedTrial> failed;
-  std::vector<Plate> plates;  ///< filled by the caller
+  std::map<std::string, std::string> pictures;  ///< HTML by problem, filled by the caller
 };
 
 /// Merges the stores: of two records with one key the first counts; problems and optimizers stand in the order in which

@@ -12,7 +12,13 @@ namespace {
 
 constexpr std::array<Axis, 3> kAxes = {Axis::seconds, Axis::evaluations, Axis::work};
 
-std::string quoted(const std::string& text) {
+// A spreadsheet computes a cell that begins like a formula, quoted or not; with an apostrophe it is text.
+std::string harmless(const std::string& text) {
+  return !text.empty() && std::string_view("=+-@\t\r").find(text[0]) != std::string_view::npos ? "'" + text : text;
+}
+
+std::string quoted(const std::string& label) {
+  const std::string text = harmless(label);
   if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
   std::string result = "\"";
   for (const char c : text) result += c == '"' ? std::string("\"\"") : std::string(1, c);
@@ -37,16 +43,20 @@ std::vector<std::string> header() {
                                     "baseline",
                                     "trials",
                                     "failed",
+                                    "contaminated",
+                                    "deterministic",
+                                    "starts",
                                     "best_known",
                                     "best_known_origin",
                                     "best_known_provisional",
                                     "start_quality",
                                     "start_relative_error"};
-  for (const char* figure : {"quality", "relative_error", "evaluations", "factorizations", "seconds", "work"})
+  for (const char* figure :
+       {"quality", "relative_error", "at_bounds", "evaluations", "factorizations", "seconds", "work"})
     for (const char* part : {"lower", "median", "upper"}) names.push_back(fmt::format("{}_{}", figure, part));
   for (const double gap : kTargetGaps) {
     const std::string suffix = "_to_gap_" + gap_text(gap);
-    names.push_back("success_rate" + suffix);
+    for (const char* count : {"runs", "reached", "success_rate"}) names.push_back(count + suffix);
     for (const Axis axis : kAxes) names.push_back(std::string(to_string(axis)) + suffix);
     for (const Axis axis : kAxes) names.push_back(std::string(to_string(axis)) + "_multiple" + suffix);
   }
@@ -60,15 +70,20 @@ std::vector<std::string> cells_of(const ProblemTable& table, const OptimizerRow&
                                     row.baseline ? "true" : "false",
                                     std::to_string(row.trials),
                                     std::to_string(row.failed),
+                                    std::to_string(row.contaminated),
+                                    row.deterministic ? "true" : "false",
+                                    std::to_string(row.starts),
                                     exact(table.reference.best_quality),
                                     quoted(table.reference.origin),
                                     table.reference.provisional ? "true" : "false",
                                     exact(table.start_quality),
                                     exact(table.start_relative_error)};
-  for (const auto* q :
-       {&row.quality, &row.relative_error, &row.evaluations, &row.factorizations, &row.seconds, &row.work})
+  for (const auto* q : {&row.quality, &row.relative_error, &row.at_bounds, &row.evaluations, &row.factorizations,
+                        &row.seconds, &row.work})
     add_quartiles(cells, *q);
   for (const TargetRow& target : row.targets) {
+    cells.push_back(std::to_string(target.runs));
+    cells.push_back(std::to_string(target.reached));
     cells.push_back(exact(target.success_rate));
     for (const Axis axis : kAxes) cells.push_back(exact(target.median[static_cast<std::size_t>(axis)]));
     for (const Axis axis : kAxes) cells.push_back(exact(target.multiple[static_cast<std::size_t>(axis)]));

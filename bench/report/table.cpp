@@ -36,7 +36,15 @@ std::string spread_text(const std::optional<Quartiles>& q) {
   return q ? fmt::format("[{}, {}]", figure_text(q->lower, kDigits), figure_text(q->upper, kDigits)) : "";
 }
 
-std::string label_text(const OptimizerRow& row) { return row.baseline ? row.label + " (baseline)" : row.label; }
+constexpr const char* kDisturbed = "†";
+
+std::string label_text(const OptimizerRow& row) {
+  return row.label + (row.baseline ? " (baseline)" : "") + (row.contaminated > 0 ? fmt::format(" {}", kDisturbed) : "");
+}
+
+std::string runs_text(const OptimizerRow& row) {
+  return fmt::format("{}{}", row.deterministic ? "det. " : "", row.trials);
+}
 
 std::string reached_text(const OptimizerRow& row, double gap) {
   const std::optional<double>& seconds = row.target(gap).median[kSeconds];
@@ -44,8 +52,8 @@ std::string reached_text(const OptimizerRow& row, double gap) {
 }
 
 std::string success_text(const OptimizerRow& row) {
-  const double reached = row.target(kDefaultGap).success_rate * static_cast<double>(row.trials);
-  return fmt::format("{:.0f} of {}", reached, row.trials);
+  const TargetRow& target = row.target(kDefaultGap);
+  return fmt::format("{} of {}", target.reached, target.runs);
 }
 
 // Says which of the two never gets there, rather than a number that isn't one.
@@ -53,9 +61,9 @@ std::string faster_text(const OptimizerRow& row, const OptimizerRow* baseline) {
   if (!baseline || row.baseline) return row.baseline ? "1×" : "–";
   const TargetRow& target = row.target(kDefaultGap);
   if (const auto& multiple = target.multiple[kSeconds]) return multiple_text(*multiple);
-  const bool baseline_reaches = baseline->target(kDefaultGap).median[kSeconds].has_value();
-  if (!target.median[kSeconds]) return baseline_reaches ? "never" : "both never";
-  return "baseline never";
+  const std::optional<double>& base = baseline->target(kDefaultGap).median[kSeconds];
+  if (!target.median[kSeconds]) return base ? "never" : "both never";
+  return base ? "at the start" : "baseline never";
 }
 
 void add_errors(std::vector<Filler>& fillers, bool has_error) {
@@ -92,7 +100,31 @@ void add_targets(std::vector<Filler>& fillers, const OptimizerRow* baseline) {
   if (baseline)
     fillers.push_back({{"times", "faster", "the baseline's median time to gap 0.01 over this optimizer's"},
                        [baseline](const OptimizerRow& r) { return faster_text(r, baseline); }});
-  fillers.push_back({{"reached", gap_text(kDefaultGap), "success: trials that reached this gap"}, success_text});
+  fillers.push_back({{"reached", gap_text(kDefaultGap),
+                      "success: distinct runs that reached this gap, of all; repeats that did the same count once"},
+                     success_text});
+  fillers.push_back(
+      {{"runs", "", "trials stored; det.: a deterministic method, whose repeats from one start measure time"},
+       runs_text});
+}
+
+void add_bounds(std::vector<Filler>& fillers) {
+  fillers.push_back({{"at", "bounds",
+                      "coordinates of the best point that lie at a bound, median: many of them say that the box "
+                      "decided, not the data",
+                      false, 4, "coordinates at bounds"},
+                     [](const OptimizerRow& r) { return or_dash(r.at_bounds, count_text); }});
+}
+
+// What marks in the table stand for.
+std::vector<std::string> notes_of(const std::vector<OptimizerRow>& rows) {
+  std::size_t disturbed = 0;
+  for (const OptimizerRow& row : rows) disturbed += row.contaminated;
+  if (disturbed == 0) return {};
+  return {
+      fmt::format("{} {} of these trials did not have a processor core to themselves: times are too long, and what the "
+                  "clock ended is too bad. --rerun contaminated runs them again.",
+                  kDisturbed, disturbed)};
 }
 
 std::vector<const OptimizerRow*> best_first(const ProblemTable& table, bool has_error) {
@@ -119,6 +151,8 @@ Table make_text_table(const ProblemReport& problem) {
   std::vector<Filler> fillers = {{{"", "optimizer", "as the study labels it", true}, label_text}};
   add_errors(fillers, has_error);
   add_costs(fillers, has_factorizations);
+  if (std::ranges::any_of(all, [](const OptimizerRow& r) { return r.at_bounds && r.at_bounds->upper > 0.0; }))
+    add_bounds(fillers);
   add_targets(fillers, baseline == all.end() ? nullptr : &*baseline);
   if (std::ranges::any_of(all, [](const OptimizerRow& r) { return r.failed > 0; }))
     fillers.push_back({{"failed", "", "ended failed, timed out or crashed; the reasons are listed below"},
@@ -131,6 +165,7 @@ Table make_text_table(const ProblemReport& problem) {
     for (const Filler& filler : fillers) cells.push_back(filler.cell(*row));
     table.optimizers.push_back(row->label);
   }
+  table.notes = notes_of(all);
   return table;
 }
 
@@ -143,6 +178,7 @@ std::string describe_reference(const ProblemReport& problem) {
     text = "G at the start " + figure_text(*table.start_quality, kDigits);
     if (table.start_relative_error)
       text += fmt::format(" (relative error {})", figure_text(*table.start_relative_error, kDigits));
+    if (table.start_is_best) text += ", the best there is: every trial has reached each gap at its start";
     text += "; ";
   }
   if (reference.provisional) return text + "G* = " + best + ", provisional: " + reference.origin;
@@ -154,7 +190,8 @@ std::vector<std::string> table_legend() {
           "Gap = (G − G*)/(G at the start − G*): 1 at the start, 0 at G*, the best known. \"Time to 0.01\" is the time "
           "to that gap.",
           "Never: the median trial doesn't get there. Times faster: the baseline's time to gap 0.01 over this one's.",
-          "Reached: trials that got to gap 0.01, of all trials."};
+          "Reached: distinct runs that got to gap 0.01, of all; repeats that did the same until then count once. det.: "
+          "deterministic."};
 }
 
 }  // namespace nodal::report

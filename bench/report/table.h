@@ -26,6 +26,7 @@ struct Table {
   std::vector<Column> columns;
   std::vector<std::vector<std::string>> rows;
   std::vector<std::string> optimizers;  ///< of the rows: labels without additions
+  std::vector<std::string> notes;       ///< to stand below it: what marks mean
 };
 
 [[nodiscard]] Table make_text_table(const ProblemReport& problem);

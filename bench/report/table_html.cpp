@@ -68,7 +68,9 @@ std::string table_html(const ProblemReport& problem) {
     const auto row = std::ranges::find(problem.table.rows, table.optimizers[r], &OptimizerRow::label);
     text += body_row(table.columns, table.rows[r], row != problem.table.rows.end() && row->baseline);
   }
-  return text + "</tbody></table></div>\n";
+  text += "</tbody></table></div>\n";
+  for (const std::string& note : table.notes) text += "<p class=\"note\">" + escape_html(note) + "</p>\n";
+  return text;
 }
 
 }  // namespace nodal::report

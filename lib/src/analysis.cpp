@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 #include <stdexcept>
+#include <tuple>
 
 #include <nodal/agreement.h>
 
@@ -37,19 +39,15 @@ std::optional<double> median_or_never(const std::vector<std::optional<double>>& 
   return median == kNever ? std::nullopt : std::optional(median);
 }
 
-bool failed(const TrialRecord& record) {
-  return record.end == End::failed || record.end == End::timeout || record.end == End::crashed;
-}
-
 double work_at(const TrialRecord& record, std::int64_t evaluation, std::int64_t factorizations) {
   if (record.flops_per_value <= 0.0) return static_cast<double>(evaluation);
-  const auto share = [](std::int64_t part, std::int64_t whole) {
-    return whole > 0 ? static_cast<double>(part) / static_cast<double>(whole) : 1.0;
-  };
+  const auto share = [](double part, double whole) { return whole > 0.0 ? part / whole : 1.0; };
   // One more than the counted evaluations: the start's.
-  const double flops =
-      record.work.factorization_flops * share(factorizations, record.work.factorizations) +
-      (record.work.flops - record.work.factorization_flops) * share(evaluation + 1, record.counts.evaluations + 1);
+  const auto with_start = [](std::int64_t evaluations) { return static_cast<double>(evaluations) + 1.0; };
+  const double flops = record.work.factorization_flops *
+                           share(static_cast<double>(factorizations), static_cast<double>(record.work.factorizations)) +
+                       (record.work.flops - record.work.factorization_flops) *
+                           share(with_start(evaluation), with_start(record.counts.evaluations));
   return flops / record.flops_per_value;
 }
 
@@ -75,33 +73,65 @@ ProblemReference reference_of(const std::string& label, const std::optional<Know
   return reference;
 }
 
-// A trial that began at the best known, as well as that is known, or at a perfect fit: no gap is left to measure.
-bool began_there(const TrialRecord& record, const ProblemReference& reference) {
-  const double best = reference.best_quality;
-  if (record.start.cost && std::abs(*record.start.cost) <= kPerfectCost) return true;
-  return *record.start.quality <= best + (reference.provisional ? measured_to(best) : known_to(best));
+const TracePoint* first_point(const TrialRecord& record, double quality) {
+  // Qualities of a trace fall strictly, so the first point at or below the target is found by bisection.
+  const auto found =
+      std::ranges::partition_point(record.trace, [quality](const TracePoint& p) { return p.quality > quality; });
+  return found == record.trace.end() ? nullptr : &*found;
 }
 
-// Where a trial first had gap ≤ the given one; the gap is measured from the trial's own start.
-std::optional<double> reached(const TrialRecord& record, const ProblemReference& reference, double gap, Axis axis) {
-  if (!record.start.quality) return std::nullopt;
-  if (began_there(record, reference) && !record.trace.empty()) return position(record, record.trace.front(), axis);
+// How a trial got to a gap, measured from its own start: at which point of its trace, or without any search.
+struct Arrival {
+  bool at_start = false;
+  const TracePoint* point = nullptr;
+
+  bool reached() const { return at_start || point; }
+  std::optional<double> where(const TrialRecord& record, Axis axis) const {
+    if (at_start) return 0.0;
+    return point ? std::optional(position(record, *point, axis)) : std::nullopt;
+  }
+};
+
+Arrival arrival_of(const TrialRecord& record, const ProblemReference& reference, double gap) {
+  if (!record.start.quality) return {};
+  if (starts_at_best(record.start, reference)) return {true, nullptr};
   const double best = reference.best_quality;
-  return first_reached(record, best + gap * (*record.start.quality - best), axis);
+  return {false, first_point(record, best + gap * (*record.start.quality - best))};
 }
 
-TargetRow target_row(std::span<const TrialRecord* const> trials, const ProblemReference& reference, double gap) {
+// Trials with the same key are one run; `alone` sets apart those that count on their own.
+using RunKey = std::tuple<std::optional<double>, bool, std::int64_t, double, std::size_t>;
+
+RunKey run_key(const TrialRecord& record, const Arrival& arrival, bool deterministic, std::size_t alone) {
+  const bool reached = arrival.reached();
+  if (deterministic || arrival.at_start) return {record.start.quality, reached, 0, 0.0, 0};
+  if (!reached) return {record.start.quality, false, 0, 0.0, alone};
+  return {record.start.quality, true, arrival.point->evaluation, arrival.point->quality, 0};
+}
+
+TargetRow target_row(std::span<const TrialRecord* const> trials, const ProblemReference& reference, double gap,
+                     bool deterministic) {
   TargetRow row;
   row.gap = gap;
-  for (std::size_t a = 0; a < kAxes.size(); ++a) {
-    std::vector<std::optional<double>> when;
-    for (const TrialRecord* trial : trials) when.push_back(reached(*trial, reference, gap, kAxes[a]));
-    row.median[a] = median_or_never(when);
-    if (!when.empty())
-      row.success_rate = static_cast<double>(std::ranges::count_if(when, [](const auto& w) { return w.has_value(); })) /
-                         static_cast<double>(when.size());
+  std::set<RunKey> runs;
+  std::array<std::vector<std::optional<double>>, kAxes.size()> when;
+  for (std::size_t i = 0; i < trials.size(); ++i) {
+    const TrialRecord& trial = *trials[i];
+    const Arrival arrival = arrival_of(trial, reference, gap);
+    for (std::size_t a = 0; a < kAxes.size(); ++a) when[a].push_back(arrival.where(trial, kAxes[a]));
+    if (runs.insert(run_key(trial, arrival, deterministic, i)).second) row.reached += arrival.reached();
   }
+  for (std::size_t a = 0; a < kAxes.size(); ++a) row.median[a] = median_or_never(when[a]);
+  row.runs = runs.size();
+  if (row.runs > 0) row.success_rate = static_cast<double>(row.reached) / static_cast<double>(row.runs);
   return row;
+}
+
+std::size_t count_starts(std::span<const TrialRecord* const> trials) {
+  std::set<double> starts;
+  for (const TrialRecord* trial : trials)
+    if (trial->start.quality) starts.insert(*trial->start.quality);
+  return starts.size();
 }
 
 OptimizerRow make_row(const RowRequest& request, std::span<const TrialRecord* const> trials,
@@ -111,8 +141,12 @@ OptimizerRow make_row(const RowRequest& request, std::span<const TrialRecord* co
   row.use = request.use;
   row.baseline = request.baseline;
   row.trials = trials.size();
+  row.deterministic = request.deterministic;
+  row.starts = count_starts(trials);
+  row.contaminated = static_cast<std::size_t>(
+      std::ranges::count_if(trials, [](const TrialRecord* trial) { return !contamination(*trial).empty(); }));
   for (const TrialRecord* trial : trials)
-    if (failed(*trial)) {
+    if (is_failure(trial->end)) {
       ++row.failed;
       if (std::ranges::find(row.reasons, trial->reason) == row.reasons.end()) row.reasons.push_back(trial->reason);
     }
@@ -126,12 +160,15 @@ OptimizerRow make_row(const RowRequest& request, std::span<const TrialRecord* co
   };
   row.quality = quartiles_of(trials, best(&PointSummary::quality));
   row.relative_error = quartiles_of(trials, best(&PointSummary::relative_error));
+  row.at_bounds = quartiles_of(trials, [](const TrialRecord& t) {
+    return t.best && t.best->at_bounds ? std::optional(static_cast<double>(*t.best->at_bounds)) : std::nullopt;
+  });
   row.evaluations = quartiles_of(trials, count([](const TrialRecord& t) { return t.counts.evaluations; }));
   row.factorizations = quartiles_of(trials, count([](const TrialRecord& t) { return t.work.factorizations; }));
   row.seconds = quartiles_of(trials, count([](const TrialRecord& t) { return t.seconds.total; }));
   row.work = quartiles_of(trials, count([](const TrialRecord& t) { return end_position(t, Axis::work); }));
   for (std::size_t i = 0; i < kTargetGaps.size(); ++i)
-    row.targets[i] = target_row(trials, reference, kTargetGaps[i]);
+    row.targets[i] = target_row(trials, reference, kTargetGaps[i], request.deterministic);
   return row;
 }
 
@@ -196,12 +233,16 @@ double end_position(const TrialRecord& record, Axis axis) {
   return 0.0;
 }
 
+bool starts_at_best(const PointSummary& start, const ProblemReference& reference) {
+  const double best = reference.best_quality;
+  if (!start.quality) return false;
+  if (start.cost && std::abs(*start.cost) <= kPerfectCost) return true;
+  return *start.quality <= best + (reference.provisional ? measured_to(best) : known_to(best));
+}
+
 std::optional<double> first_reached(const TrialRecord& record, double quality, Axis axis) {
-  // Qualities of a trace fall strictly, so the first point at or below the target is found by bisection.
-  const auto found =
-      std::ranges::partition_point(record.trace, [quality](const TracePoint& p) { return p.quality > quality; });
-  if (found == record.trace.end()) return std::nullopt;
-  return position(record, *found, axis);
+  const TracePoint* point = first_point(record, quality);
+  return point ? std::optional(position(record, *point, axis)) : std::nullopt;
 }
 
 ProblemTable make_table(const std::string& problem_label, std::optional<KnownOptimum> best_known,
@@ -216,6 +257,7 @@ ProblemTable make_table(const std::string& problem_label, std::optional<KnownOpt
     if (trial->repeat == 0 && trial->start.quality) {
       table.start_quality = trial->start.quality;
       table.start_relative_error = trial->start.relative_error;
+      table.start_is_best = starts_at_best(trial->start, table.reference);
       break;
     }
   for (const RowRequest& request : optimizers) {

@@ -53,6 +53,7 @@ Value optimizer_part(const StudyOptimizer& optimizer) {
   part.set("use", optimizer.use);
   part.set("baseline", optimizer.baseline);
   part.set("multi_start", optimizer.multi_start);
+  part.set("deterministic", optimizer.deterministic);
   return part;
 }
 

@@ -156,6 +156,8 @@ TrialRecord parse_record(std::string_view line, const std::string& name) {
         fmt::format("{}: the record has schema {}, this build reads up to {}; use a newer nodal or "
                     "another directory",
                     name, schema->integer(), kRecordSchema));
+  if (schema && schema->is_integer() && schema->integer() < 1)
+    throw InputError(fmt::format("{}: not a trial's record: its schema is {}", name, schema->integer()));
   TrialRecord record;
   WorkAndUnit work;
   Reader reader(value, "", name);

@@ -112,6 +112,7 @@ class Reader {
       value = found.boolean();
     } else {
       if (!found.is_integer()) fail(key, "is not an integer");
+      if (!std::in_range<T>(found.integer())) fail(key, "is out of its range");
       value = static_cast<T>(found.integer());
     }
   }

@@ -17,6 +17,7 @@
 #include "leftovers.h"
 #include "manifest.h"
 #include "origins.h"
+#include "require_manifest.h"
 #include "store_lock.h"
 #include "trial_files.h"
 
@@ -31,15 +32,7 @@ constexpr const char* kManifest = "manifest.json";
 Value read_manifest(const fs::path& path) {
   if (!fs::exists(path)) return {};
   Value manifest = parse_json(read_file(path, ""), path.string());
-  const Value* schema = manifest.is_table() ? manifest.find("schema") : nullptr;
-  if (!schema || !schema->is_integer())
-    throw InputError(
-        fmt::format("'{}' is not the manifest of a store: it has no schema; choose another directory", path.string()));
-  if (schema->integer() > kManifestSchema)
-    throw NewerSchemaError(
-        fmt::format("'{}' has schema {}, this build reads up to {}; use a newer nodal or another "
-                    "directory",
-                    path.string(), schema->integer(), kManifestSchema));
+  require_manifest(manifest, path.string());
   return manifest;
 }
 

@@ -6,6 +6,7 @@
 
 #include <nodal/components.h>
 #include <nodal/elastic/stiffness.h>
+#include <report/html.h>
 #include <report/plates.h>
 #include <report/report.h>
 
@@ -70,7 +71,7 @@ int main(int argc, char** argv) {
   add_optimizers(data.problems[0], 15);
   data.problems[0].details = fixture::make_details(50);
   data.problems.push_back(make_analytic());
-  data.plates = make_plates_of_the_paper();
+  data.pictures["plate"] = plates_html(make_plates_of_the_paper());
   data.warnings = {"'results' holds results of another build (revision 0123abc; this is 4567def): times don't compare"};
   std::ofstream(argv[1]) << report_html(data);
   return 0;

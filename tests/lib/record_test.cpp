@@ -138,10 +138,9 @@ TEST(Record, RefusesALineWithoutAFieldByItsName) {
 }
 
 TEST(Record, ReadsALineWithoutWhatWasNotMeasured) {
-  for (const char* path :
-       {"best", "claimed", "start.cost", "start.quality", "best.relative_error", "best.at_bounds", "claimed.cost",
-        "claimed.x_equals_best", "claimed.evaluations", "attempt", "conditions", "conditions.beside_others",
-        "conditions.stopped", "health.drift", "health.spread"})
+  for (const char* path : {"best", "claimed", "start.cost", "start.quality", "best.relative_error", "best.at_bounds",
+                           "claimed.cost", "claimed.x_equals_best", "claimed.evaluations", "attempt", "conditions",
+                           "conditions.beside_others", "conditions.stopped", "health.drift", "health.spread"})
     EXPECT_EQ(refusal_without(path), "(nothing was thrown)") << path;
 }
 
@@ -149,6 +148,10 @@ TEST(Record, RefusesAWrongTypeByItsName) {
   const auto about = [](const std::string& what) { return "a.jsonl:3: not a trial's record: " + what; };
   EXPECT_EQ(refusal_with("key", 3), about("'key' is not a text"));
   EXPECT_EQ(refusal_with("repeat", 1.5), about("'repeat' is not an integer"));
+  EXPECT_EQ(refusal_with("schema", -7), about("its schema is -7"));
+  EXPECT_EQ(refusal_with("schema", 0), about("its schema is 0"));
+  EXPECT_EQ(refusal_with("repeat", Value(std::int64_t{1} << 40)), about("'repeat' is out of its range"));
+  EXPECT_EQ(refusal_with("seed", -1), about("'seed' is out of its range"));
   EXPECT_EQ(refusal_with("seed", "7"), about("'seed' is not an integer"));
   EXPECT_EQ(refusal_with("end", "stopped"), about("'end' is not the name of an end"));
   EXPECT_EQ(refusal_with("end", 1), about("'end' is not the name of an end"));

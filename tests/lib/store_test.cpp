@@ -152,8 +152,9 @@ TEST(Store, DescribesItsStudyInTheManifest) {
   EXPECT_EQ(m.at("study").at("directory").text(), fs::absolute(".").string());
   EXPECT_EQ(to_json(m.at("problems")), R"([{"label":"bowl","kind":"bowl","options":{"size":3,"even":false},)"
                                        R"("best_known":{"quality":0.0,"origin":"by construction"}}])");
-  EXPECT_EQ(to_json(m.at("optimizers")), R"([{"label":"halving","use":"halving","baseline":true,"multi_start":false},)"
-                                         R"({"label":"w","use":"wanderer","baseline":false,"multi_start":false}])");
+  EXPECT_EQ(to_json(m.at("optimizers")),
+            R"([{"label":"halving","use":"halving","baseline":true,"multi_start":false,"deterministic":true},)"
+            R"({"label":"w","use":"wanderer","baseline":false,"multi_start":false,"deterministic":false}])");
   EXPECT_EQ(to_json(m.at("left_out")),
             R"([{"label":"nlopt-x","use":"nlopt-x","reason":"needs NLopt: configure with -DNODAL_NLOPT=ON"}])");
   ASSERT_EQ(m.at("keys").list().size(), 4u);

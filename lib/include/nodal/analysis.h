@@ -7,7 +7,15 @@
 /// their own flops, the rest of the trial's flops (solves) spread evenly over its evaluations, divided by the flops of
 /// one full value. For problems that count no flops it is evaluations. A trial whose process was killed or died has no
 /// figures; it counts as failed and in the success rate. Medians over repeats count a trial that never reached a target
-/// as infinitely long; "never" is an empty optional.
+/// as infinitely long; "never" is an empty optional. A trial that starts at G* has reached every gap at 0:
+/// `starts_at_best`.
+///
+/// Success is counted in distinct runs. Repeats are one observation, not several, when they began at one start (its
+/// quality is the same to the last bit) and
+///  - the method is deterministic and they agree on whether they got there; or
+///  - they got there at the same evaluation with the same quality, so that all until then was the same: a multi-start
+///    method whose first run finds the best, say. What they drew at random afterwards has decided nothing.
+/// Other trials count each on its own: random ones that never got there drew their own numbers to the end.
 
 #include <array>
 #include <optional>
@@ -44,7 +52,8 @@ struct ProblemReference {
 
 struct TargetRow {
   double gap = 0.0;
-  double success_rate = 0.0;                      ///< of all repeats
+  std::size_t runs = 0, reached = 0;              ///< distinct runs, and how many of these got to the gap
+  double success_rate = 0.0;                      ///< reached / runs
   std::array<std::optional<double>, 3> median;    ///< by Axis; empty: never
   std::array<std::optional<double>, 3> multiple;  ///< baseline's median over this one's; empty: never or no baseline
 };
@@ -54,7 +63,11 @@ struct OptimizerRow {
   bool baseline = false;
   std::size_t trials = 0;
   std::size_t failed = 0;                            ///< ended failed, timeout or crashed
+  std::size_t starts = 0;                            ///< distinct ones
+  bool deterministic = false;                        ///< the method: its repeats from one start measure time only
+  std::size_t contaminated = 0;                      ///< trials whose times are not to be trusted: `contamination`
   std::optional<Quartiles> quality, relative_error;  ///< of the best points
+  std::optional<Quartiles> at_bounds;                ///< coordinates of the best points that lie at a bound
   std::optional<Quartiles> evaluations, factorizations, seconds, work;
   std::array<TargetRow, kTargetGaps.size()> targets;
   std::vector<std::string> reasons;  ///< of failed trials, each once
@@ -65,6 +78,7 @@ struct OptimizerRow {
 struct ProblemTable {
   ProblemReference reference;
   std::optional<double> start_quality, start_relative_error;
+  bool start_is_best = false;      ///< `starts_at_best` of that start
   std::vector<OptimizerRow> rows;  ///< in the order asked for
 };
 
@@ -72,11 +86,17 @@ struct ProblemTable {
 struct RowRequest {
   std::string label, use;
   bool baseline = false;
+  bool deterministic = false;
 };
 
 /// `best_known` without a value: the best of the records, marked provisional.
 [[nodiscard]] ProblemTable make_table(const std::string& problem_label, std::optional<KnownOptimum> best_known,
                                       std::span<const RowRequest> optimizers, std::span<const TrialRecord> records);
+
+/// True where nothing is left to be found: the start's quality is not above G* by more than G* is known to (1e-9 of it
+/// where it was measured, else half a unit of the last digit it was given with, at most 1e-4 of it), or the start is a
+/// perfect fit, but for rounding. There (G − G*)/(G_start − G*) is rounding over rounding.
+[[nodiscard]] bool starts_at_best(const PointSummary& start, const ProblemReference& reference);
 
 /// Where a trial stood on an axis when it first had quality ≤ the given one; empty: never.
 [[nodiscard]] std::optional<double> first_reached(const TrialRecord& record, double quality, Axis axis);

@@ -105,7 +105,7 @@ TEST(Console, ShowsTheWholeMessage) {
   folder.write("esc.toml", "[study]\n\"a\\u0000b\\u001b\" = 1\n[problem]\nkind = \"sphere\"\n");
   const Output output = run(folder, {"explain", "esc.toml"});
   EXPECT_EQ(output.exit, 2);
-  EXPECT_TRUE(contains(output.err, R"('a\u0000b\u001b')")) << output.err;
+  EXPECT_TRUE(contains(output.err, R"('a\x00b\x1B')")) << output.err;
 }
 
 }  // namespace

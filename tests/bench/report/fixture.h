@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include <report/plate.h>
 #include <report/report_data.h>
 
 namespace nodal::report::fixture {
@@ -25,13 +26,30 @@ inline OptimizerRow make_row(const std::string& label, double error, double seco
   row.factorizations = around(152.0);
   row.seconds = around(seconds);
   row.work = around(1234.5);
-  for (std::size_t i = 0; i < kTargetGaps.size(); ++i) row.targets[i].gap = kTargetGaps[i];
+  row.starts = 1;
+  for (std::size_t i = 0; i < kTargetGaps.size(); ++i) {
+    row.targets[i].gap = kTargetGaps[i];
+    row.targets[i].runs = row.trials;
+  }
   return row;
+}
+
+inline void set_success(TargetRow& target, std::size_t reached, std::size_t runs) {
+  target.reached = reached;
+  target.runs = runs;
+  target.success_rate = static_cast<double>(reached) / static_cast<double>(runs);
+}
+
+/// Three repeats that did the same.
+inline void make_deterministic(OptimizerRow& row) {
+  row.deterministic = true;
+  row.trials = 3;
+  for (TargetRow& target : row.targets) set_success(target, target.reached > 0 ? 1 : 0, 1);
 }
 
 /// Reached at `seconds`, by every trial, `multiple` times faster than the baseline.
 inline void set_reached(OptimizerRow& row, std::size_t gap, double seconds, std::optional<double> multiple) {
-  row.targets[gap].success_rate = 1.0;
+  set_success(row.targets[gap], row.targets[gap].runs, row.targets[gap].runs);
   row.targets[gap].median = {seconds, 1000.0 * seconds, 100.0 * seconds};
   row.targets[gap].multiple = {multiple, multiple, multiple};
 }
@@ -59,13 +77,14 @@ inline ProblemReport make_problem() {
   annealing.baseline = true;
   set_reached(annealing, 0, 0.0123, 1.0);
   set_reached(annealing, 1, 0.2, 1.0);
-  annealing.targets[1].success_rate = 14.0 / 15.0;
+  set_success(annealing.targets[1], 14, 15);
   OptimizerRow ceres = make_row("ceres-levenberg-marquardt", 0.0922032, 0.00172);
   for (std::size_t gap = 0; gap < kTargetGaps.size(); ++gap)
     set_reached(ceres, gap, 0.0005 * (1.0 + 0.2 * static_cast<double>(gap)), std::nullopt);
   ceres.targets[0].multiple[0] = 24.6;
   ceres.targets[1].multiple[0] = 333.3;
   ceres.factorizations.reset();
+  make_deterministic(ceres);
   OptimizerRow random = make_row("random-search", 0.2811, 0.5);
   random.failed = 2;
   random.reasons = {"the plate broke"};

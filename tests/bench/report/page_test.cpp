@@ -21,7 +21,7 @@ std::size_t count(const std::string& text, std::string_view part) {
 
 TEST(Page, LoadsNothingFromOutside) {
   ReportData data = fixture::make_data();
-  data.plates = {fixture::make_square("start", 0.5)};
+  data.pictures["plate"] = plates_html(std::vector{fixture::make_square("start", 0.5)});
   const std::string page = report_html(data);
   // Namespaces of SVG inside the scripts are names, not addresses that are loaded.
   const std::regex loads(
@@ -42,9 +42,9 @@ TEST(Page, LabelsCannotBreakOut) {
   data.failed[0].reason = kHostile;
   data.left_out[0].reason = kHostile;
   data.builds[0].set("revision", kHostile);
-  data.plates = {fixture::make_square(kHostile, 0.5)};
-  data.plates[0].problem = kHostile;
-  data.plates[0].loads[0].name = kHostile;
+  Plate plate = fixture::make_square(kHostile, 0.5);
+  plate.problem = plate.loads[0].name = kHostile;
+  data.pictures[kHostile] = plates_html(std::vector{plate});
   problem.details = fixture::make_details(0);
   problem.details.masses->message = problem.details.masses->form = problem.details.masses->moments[0].name = kHostile;
   const std::string page = report_html(data);
@@ -57,13 +57,14 @@ TEST(Page, LabelsCannotBreakOut) {
 TEST(Page, ShowsTheRowsOfTheConsoleTable) {
   const std::string page = report_html(fixture::make_data());
   for (const char* cell : {"<td>0.09220</td>", "<td>333×</td>", "<td class=\"never\">never</td>", "<td>14 of 15</td>",
-                           "<th scope=\"row\">annealing (baseline)</th>"})
+                           "<td>det. 3</td>", "<th scope=\"row\">annealing (baseline)</th>"})
     EXPECT_NE(page.find(cell), std::string::npos) << cell;
 }
 
 TEST(Page, ShowsTheSystemBeforeItsLoads) {
   ReportData data = fixture::make_data();
-  data.plates = {fixture::make_square("start", 0.5), fixture::make_square("best: annealing", 0.25)};
+  data.pictures["plate"] =
+      plates_html(std::vector{fixture::make_square("start", 0.5), fixture::make_square("best: annealing", 0.25)});
   const std::string page = report_html(data);
   EXPECT_EQ(count(page, "<svg class=\"plate system\""), 2u);
   EXPECT_EQ(count(page, "<svg class=\"plate load\""), 2u);

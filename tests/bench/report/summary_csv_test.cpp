@@ -21,20 +21,22 @@ std::vector<std::string> lines_of(const std::string& text) {
 TEST(SummaryCsv, HasEveryFigureInFullPrecisionAndNothingForNever) {
   const std::vector<std::string> lines = lines_of(summary_csv(fixture::make_data()));
   ASSERT_EQ(lines.size(), 4u);
-  EXPECT_TRUE(lines[0].starts_with(
-      "problem,optimizer,use,baseline,trials,failed,best_known,best_known_origin,best_known_provisional,"
-      "start_quality,start_relative_error,quality_lower,quality_median,quality_upper,"))
+  EXPECT_TRUE(
+      lines[0].starts_with("problem,optimizer,use,baseline,trials,failed,contaminated,deterministic,starts,best_known,"
+                           "best_known_origin,best_known_provisional,"
+                           "start_quality,start_relative_error,quality_lower,quality_median,quality_upper,"))
       << lines[0];
   EXPECT_TRUE(
-      lines[0].ends_with(",success_rate_to_gap_1e-8,seconds_to_gap_1e-8,evaluations_to_gap_1e-8,work_to_gap_1e-8,"
+      lines[0].ends_with(",runs_to_gap_1e-8,reached_to_gap_1e-8,success_rate_to_gap_1e-8,seconds_to_gap_1e-8,"
+                         "evaluations_to_gap_1e-8,work_to_gap_1e-8,"
                          "seconds_multiple_to_gap_1e-8,evaluations_multiple_to_gap_1e-8,work_multiple_to_gap_1e-8"))
       << lines[0];
   EXPECT_TRUE(lines[1].starts_with(
-      "plate,annealing,annealing,true,15,0,0.7376255865,\"multi-start Gauss-Newton, 12 starts agree\",false,"
+      "plate,annealing,annealing,true,15,0,0,false,1,0.7376255865,\"multi-start Gauss-Newton, 12 starts agree\",false,"
       "2.304,0.288,0.7496495999999999,0.7504,0.7511503999999999,"))
       << lines[1];
-  EXPECT_NE(lines[2].find(",1,0.0006,0.6,0.06,333.3,,,"), std::string::npos) << lines[2];
-  EXPECT_TRUE(lines[3].ends_with(",0,,,,,,,0,,,,,,")) << lines[3];
+  EXPECT_NE(lines[2].find(",1,1,1,0.0006,0.6,0.06,333.3,,,"), std::string::npos) << lines[2];
+  EXPECT_TRUE(lines[3].ends_with(",15,0,0,,,,,,,15,0,0,,,,,,")) << lines[3];
 }
 
 TEST(SummaryCsv, EveryLineHasAsManyFieldsAsTheHeader) {
@@ -48,6 +50,23 @@ TEST(SummaryCsv, QuotesLabelsThatNeedIt) {
   ReportData data = fixture::make_data();
   data.problems[0].table.rows[0].label = "a \"hot\", slow start";
   EXPECT_NE(summary_csv(data).find("\nplate,\"a \"\"hot\"\", slow start\",annealing,true,"), std::string::npos);
+}
+
+// A spreadsheet computes what begins like a formula, quoted or not.
+TEST(SummaryCsv, HoldsNoFormulas) {
+  for (const char* label : {"=cmd|' /C calc'!A0", "@SUM(1+1)", "-2+3", "+1", "\tx", "\rx"}) {
+    ReportData data = fixture::make_data();
+    ProblemTable& table = data.problems[0].table;
+    table.reference.label = table.reference.origin = table.rows[0].label = table.rows[0].use = label;
+    std::string shown = std::string("'") + label;
+    if (shown.find('\r') != std::string::npos) shown = "\"" + shown + "\"";
+    const std::string text = summary_csv(data);
+    EXPECT_NE(text.find("\n" + shown + "," + shown + "," + shown + ",true,"), std::string::npos) << text;
+    EXPECT_NE(text.find("," + shown + ",false,"), std::string::npos) << text;  // the origin
+  }
+  ReportData data = fixture::make_data();
+  data.problems[0].table.rows[0].label = "a=b-c";
+  EXPECT_NE(summary_csv(data).find("\nplate,a=b-c,"), std::string::npos);
 }
 
 }  // namespace

@@ -130,7 +130,7 @@ Parameters::Parameters(const Net& net, const ParameterRule& rule, const std::arr
     : bounds_(bounds), ln_bounds_{std::log(bounds[0]), std::log(bounds[1])} {
   // Coordinates in the order of their first springs. Rounded ranges may read the same: names are told apart by a
   // number.
-  const Tied tied = tie(net, rule);
+  const Tied tied = elastic::tie(net, rule);
   constexpr std::size_t kNone = ~std::size_t{0};
   std::vector<std::size_t> coordinate(std::max(tied.name.size(), net.springs.size()), kNone);
   std::map<std::string, std::size_t> uses;

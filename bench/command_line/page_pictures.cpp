@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "page_pictures.h"
+
+#include <poll.h>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include <nodal/toml.h>
+
+#include "child_process.h"
+#include "report/html.h"
+#include "report/plates.h"
+
+namespace nodal {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::size_t kMostPlateSprings = 4000;
+// A net that can't move has at least 2n − 3 springs; of a grid that is clipped to a body most nodes may go.
+constexpr double kMostNodes = kMostPlateSprings, kMostGridNodes = 10.0 * kMostPlateSprings;
+constexpr double kMostVoronoiSteps = 1e7;  // points times iterations: some ten seconds
+constexpr std::chrono::seconds kPatience(20);
+
+// ── what a study from a store may ask for ──
+
+double number_of(const Value& table, std::string_view key, double missing) {
+  const Value* value = table.find(key);
+  return value && value->is_number() ? value->number() : missing;
+}
+
+void refuse_large(const Value& points) {
+  double grid = 1.0;
+  if (const Value* counts = points.find("counts"); counts && counts->is_list())
+    for (const Value& count : counts->list()) grid *= count.is_number() ? count.number() : 1.0;
+  const double total = number_of(points, "total", 0.0), steps = total * number_of(points, "iterations", 0.0);
+  if (grid > kMostGridNodes || total > kMostNodes)
+    throw InputError(fmt::format("{:.0f} nodes are too many for a picture", std::max(grid, total)));
+  if (steps > kMostVoronoiSteps)
+    throw InputError(fmt::format("{:.0f} points, iterated {:.0f} times, take too long for a picture", total,
+                                 number_of(points, "iterations", 0.0)));
+}
+
+void refuse_file(const std::string& name, const fs::path& folder) {
+  std::error_code error;
+  const fs::path home = fs::weakly_canonical(folder, error), file = fs::weakly_canonical(folder / name, error);
+  const auto [end, differs] = std::ranges::mismatch(home, file);
+  if (error || end != home.end())
+    throw InputError(fmt::format("the study names '{}', which is not below its folder '{}'", name, folder.string()));
+  if (!fs::is_regular_file(file, error))
+    throw InputError(
+        fmt::format("the study names '{}', which is no regular file of its folder '{}'", name, folder.string()));
+}
+
+// Every 'file' of a problem and of the tables in it.
+void refuse_files(const Value& value, const fs::path& folder) {
+  if (value.is_list())
+    for (const Value& item : value.list()) refuse_files(item, folder);
+  if (!value.is_table()) return;
+  for (const auto& [key, entry] : value.table()) {
+    if (key == "file" && entry.is_text()) refuse_file(entry.text(), folder);
+    refuse_files(entry, folder);
+  }
+}
+
+void refuse_costly(const Value& study, const fs::path& folder) {
+  const Value* found = study.find("problem");
+  if (!found) return;
+  for (const Value& problem : found->is_list() ? found->list() : Value::List{*found}) {
+    const Value* points = problem.is_table() ? problem.find("points") : nullptr;
+    if (points && points->is_table()) refuse_large(*points);
+    refuse_files(problem, folder);
+  }
+}
+
+// ── pictures ──
+
+std::string picture_of(const StudyProblem& problem, const report::ReportData& data) {
+  const auto* elastic = dynamic_cast<const elastic::ElasticProblem*>(problem.problem.get());
+  if (!elastic || elastic->net().springs.size() > kMostPlateSprings) return {};
+  const auto own = std::ranges::find_if(
+      data.problems, [&](const report::ProblemReport& p) { return p.table.reference.label == problem.label; });
+  return own == data.problems.end() ? std::string() : report::plates_html(report::make_plates(*elastic, *own));
+}
+
+// {"pictures": {label: HTML}}, or {"refused": why}.
+std::string stored_pictures(const Value& study, const Registry& registry, const report::ReportData& data) {
+  Value answer;
+  try {
+    const fs::path folder = study.at("directory").text();
+    const std::string& text = study.at("text").text();
+    const fs::path path = folder / fs::path(study.at("file").text()).filename();
+    refuse_costly(parse_toml(text, path.string()), folder);
+    Value pictures;
+    for (const StudyProblem& problem : parse_study(text, path, registry).problems)
+      if (!data.pictures.contains(problem.label)) pictures.set(problem.label, picture_of(problem, data));
+    answer.set("pictures", std::move(pictures));
+  } catch (const std::exception& error) {
+    answer.set("refused", error.what());
+  }
+  return to_json(answer);
+}
+
+std::string wait_for(ChildProcess& child) {
+  for (;;) {
+    const auto left =
+        std::chrono::duration_cast<std::chrono::milliseconds>(child.deadline() - ChildProcess::Clock::now());
+    pollfd ready{child.descriptor(), POLLIN, 0};
+    if (left.count() <= 0) throw InputError(fmt::format("making them took longer than {} s", kPatience.count()));
+    if (::poll(&ready, 1, static_cast<int>(left.count()) + 1) > 0 && child.read_more()) break;
+  }
+  if (const std::optional<std::string> death = child.finish())
+    throw InputError(fmt::format("the process that made them died: {}", *death));
+  return child.output();
+}
+
+}  // namespace
+
+void add_pictures(const Study& study, report::ReportData& data) {
+  for (const StudyProblem& problem : study.problems)
+    if (std::string picture = picture_of(problem, data); !picture.empty())
+      data.pictures.emplace(problem.label, std::move(picture));
+}
+
+void add_stored_pictures(const Store& store, const Registry& registry, report::ReportData& data) {
+  const Value* study = store.manifest().find("study");
+  if (!study) throw InputError("its manifest has no study");
+  ChildProcess child([&] { return stored_pictures(*study, registry, data); }, ChildProcess::Clock::now() + kPatience);
+  const Value answer = parse_json(wait_for(child), "pictures");
+  if (const Value* refused = answer.find("refused")) throw InputError(refused->text());
+  for (const auto& [label, picture] : answer.at("pictures").table())
+    if (!picture.text().empty()) data.pictures.emplace(label, picture.text());
+}
+
+}  // namespace nodal
