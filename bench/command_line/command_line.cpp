@@ -5,6 +5,7 @@
 #include <functional>
 #include <iostream>
 #include <memory>
+#include <new>
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -174,6 +175,8 @@ int command_line(const Registry& registry, int argc, const char* const* argv) {
     return app.exit(done);
   } catch (const CLI::ParseError& error) {
     std::cerr << "nodal: " << describe_usage_error(app, error, argc, argv) << '\n';
+  } catch (const std::bad_alloc&) {
+    std::cerr << "nodal: there is not enough memory for this\n";
   } catch (const std::exception& error) {  // InputError, StoreError, and what else a library may throw
     std::cerr << "nodal: " << error.what() << '\n';
   }
