@@ -107,16 +107,17 @@ std::string stored_pictures(const Value& study, const Registry& registry, const 
 }
 
 std::string wait_for(ChildProcess& child) {
-  for (;;) {
-    const auto left =
-        std::chrono::duration_cast<std::chrono::milliseconds>(child.deadline() - ChildProcess::Clock::now());
+  constexpr int kLookMilliseconds = 100;  // a process can go without a word
+  const auto deadline = std::chrono::steady_clock::now() + kPatience;
+  while (!child.ended()) {
+    if (std::chrono::steady_clock::now() > deadline)
+      throw InputError(fmt::format("making them took longer than {} s", kPatience.count()));
     pollfd ready{child.descriptor(), POLLIN, 0};
-    if (left.count() <= 0) throw InputError(fmt::format("making them took longer than {} s", kPatience.count()));
-    if (::poll(&ready, 1, static_cast<int>(left.count()) + 1) > 0 && child.read_more()) break;
+    ::poll(&ready, 1, kLookMilliseconds);
   }
-  if (const std::optional<std::string> death = child.finish())
-    throw InputError(fmt::format("the process that made them died: {}", *death));
-  return child.output();
+  if (!child.whole())
+    throw InputError(fmt::format("the process that made them died{}{}", child.death().empty() ? "" : ": ", child.death()));
+  return std::string(child.output());
 }
 
 }  // namespace
@@ -130,7 +131,7 @@ void add_pictures(const Study& study, report::ReportData& data) {
 void add_stored_pictures(const Store& store, const Registry& registry, report::ReportData& data) {
   const Value* study = store.manifest().find("study");
   if (!study) throw InputError("its manifest has no study");
-  ChildProcess child([&] { return stored_pictures(*study, registry, data); }, ChildProcess::Clock::now() + kPatience);
+  ChildProcess child([&] { return stored_pictures(*study, registry, data); });
   const Value answer = parse_json(wait_for(child), "pictures");
   if (const Value* refused = answer.find("refused")) throw InputError(refused->text());
   for (const auto& [label, picture] : answer.at("pictures").table())
