@@ -55,7 +55,7 @@ std::string faster_text(const OptimizerRow& row, const OptimizerRow* baseline) {
   if (const auto& multiple = target.multiple[kSeconds]) return multiple_text(*multiple);
   const bool baseline_reaches = baseline->target(kDefaultGap).median[kSeconds].has_value();
   if (!target.median[kSeconds]) return baseline_reaches ? "never" : "both never";
-  return "baseline never";
+  return baseline_reaches ? "–" : "baseline never";  // both at their starts already
 }
 
 void add_errors(std::vector<Filler>& fillers, bool has_error) {

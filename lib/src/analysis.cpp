@@ -85,7 +85,7 @@ bool began_there(const TrialRecord& record, const ProblemReference& reference) {
 // Where a trial first had gap ≤ the given one; the gap is measured from the trial's own start.
 std::optional<double> reached(const TrialRecord& record, const ProblemReference& reference, double gap, Axis axis) {
   if (!record.start.quality) return std::nullopt;
-  if (began_there(record, reference) && !record.trace.empty()) return position(record, record.trace.front(), axis);
+  if (began_there(record, reference)) return 0.0;
   const double best = reference.best_quality;
   return first_reached(record, best + gap * (*record.start.quality - best), axis);
 }
