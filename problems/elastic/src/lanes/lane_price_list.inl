@@ -57,13 +57,6 @@ inline Pair<G> elongations(const LaneSpring& s, const double* u) {
   return both<G>(x_of<G>(d)) * s.dx + both<G>(y_of<G>(d)) * s.dy;
 }
 
-// σ = 1 + δQ of the changed spring, from whichever of δ, Q before and q̂ = δQ' after the change loses no digits.
-template <int G>
-Lane<G> sigma_of(double change, const Lane<G>& q_before, const Lane<G>& q_after) {
-  const Lane<G> one = Lane<G>::all(1.0);
-  return change < 0.0 ? one / (one - q_after) : one + q_before * change;
-}
-
 // A row of the list is read as pairs (Q, R) and (t, v), so that one register takes two of the four updates.
 //
 // What the changed spring brings into the other rows, and its own new row, come from the factor's solutions, not from its
@@ -73,10 +66,14 @@ template <int G>
 void update_table(const LaneView& view, Index spring, double change, double* table) {
   const std::size_t stride = table_stride(view.slots, G);
   double* own = table + stride * spring;
-  const Lane<G> zero = Lane<G>::all(0.0), delta = Lane<G>::all(change);
+  const Lane<G> zero = Lane<G>::all(0.0), one = Lane<G>::all(1.0);
   const Lane<G> q_own = elongation<G>(view.spring[spring], view.z), rho_own = elongation<G>(view.spring[spring], view.y);
-  const Lane<G> sigma = sigma_of<G>(change, Lane<G>::load(own), q_own);
-  const Lane<G> kappa = sigma / delta, r_own = rho_own / delta;  // the second: R of the changed spring, after
+  // σ = 1 + δQ = 1/(1 − q̂), whichever loses no digits.
+  const bool softer = change < 0.0;
+  const Lane<G> sum = softer ? one - q_own : one + Lane<G>::load(own) * change, reciprocal = one / sum;
+  const Lane<G> sigma = softer ? reciprocal : sum, inverse = softer ? sum : reciprocal;
+  const double by_change = 1.0 / change;
+  const Lane<G> kappa = sigma * by_change, r_own = rho_own * by_change;  // the second: R of the changed spring, after
   const Pair<G> kappa_r = pair_of<G>(kappa, sigma * sigma * r_own), zero_kappa = pair_of<G>(zero, kappa * 2.0);
   Pair<G> t_v[kMostListedSlots], v_zero[kMostListedSlots];
   for (Index slot = 0; slot < view.slots; ++slot) {
@@ -92,10 +89,10 @@ void update_table(const LaneView& view, Index spring, double change, double* tab
       (Pair<G>::load(at) - t_v[slot] * q - v_zero[slot] * rho).store(at);
     }
   }
-  pair_of<G>(q_own / delta, r_own).store(own);
-  const Pair<G> inverse = both<G>(Lane<G>::all(1.0) / sigma), rho = both<G>(rho_own);
+  pair_of<G>(q_own * by_change, r_own).store(own);
+  const Pair<G> shrunk = both<G>(inverse), rho = both<G>(rho_own);
   for (Index slot = 0; slot < view.slots; ++slot)
-    (t_v[slot] * inverse - v_zero[slot] * rho).store(own + (2 + 2 * slot) * G);
+    (t_v[slot] * shrunk - v_zero[slot] * rho).store(own + (2 + 2 * slot) * G);
 }
 
 }  // namespace
