@@ -3,6 +3,8 @@
 
 /// The net that a study asks for: points, joined by springs.
 
+#include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,6 +19,7 @@ struct StudyNet {
   Net net;
   std::vector<double> stiffness;    ///< [springs]; empty unless the file has them
   std::vector<std::string> groups;  ///< [springs]; empty unless the file has them
+  std::optional<std::array<double, 2>> bounds = {};  ///< N/m; those that the file says, if any
 };
 
 /// InputError with the source of the value at fault.

@@ -35,7 +35,7 @@ namespace nodal::elastic {
 
 /// What a system file says beyond nodes and springs; what is empty is left out.
 struct SystemDetails {
-  std::vector<std::string> groups = {};              ///< [springs]: which share a stiffness; an empty name is a free one
+  std::vector<std::string> groups = {};              ///< [springs]: springs of one share a stiffness
   std::optional<std::array<double, 2>> bounds = {};  ///< within which stiffnesses were fitted
 };
 
