@@ -13,3 +13,10 @@ option(NODAL_TESTS "Build the tests" ${PROJECT_IS_TOP_LEVEL})
 option(NODAL_MICRO "Build the micro-benchmarks (Google Benchmark)" ${PROJECT_IS_TOP_LEVEL})
 option(NODAL_WERROR "Treat warnings as errors" OFF)
 set(NODAL_SANITIZE "" CACHE STRING "Sanitizers to build with, e.g. address,undefined")
+option(NODAL_PRECOMPILE "Precompile the standard headers: faster without a cache, but hides a source's missing includes" OFF)
+option(NODAL_FUZZ "Instrument for libFuzzer, and build the harnesses of tests/fuzz (Clang only)" OFF)
+
+if(NODAL_FUZZ AND NOT CMAKE_CXX_COMPILER_ID MATCHES "Clang")
+  message(FATAL_ERROR "NODAL_FUZZ needs libFuzzer, which comes with Clang: configure with "
+                      "-DCMAKE_CXX_COMPILER=clang++-14 -DCMAKE_C_COMPILER=clang-14 in a new folder")
+endif()

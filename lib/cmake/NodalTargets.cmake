@@ -16,6 +16,29 @@ function(nodal_set_defaults target)
   endif()
 endfunction()
 
+# nodal_precompile(<target> <name> [<library>] HEADERS …): the headers, of the library where they are no standard ones, are
+# precompiled once for all targets that name <name>; these must be compiled with the same options. Nothing is done without
+# NODAL_PRECOMPILE.
+function(nodal_precompile target name)
+  if(NOT NODAL_PRECOMPILE)
+    return()
+  endif()
+  cmake_parse_arguments(PARSE_ARGV 2 ARG "" "" "HEADERS")
+  set(owner nodal_precompiled_${name})
+  if(NOT TARGET ${owner})
+    set(source "${CMAKE_CURRENT_BINARY_DIR}/${owner}.cpp")
+    file(CONFIGURE OUTPUT "${source}" CONTENT "// Nothing: CMake precompiles headers beside a source.\n")
+    add_library(${owner} OBJECT "${source}")
+    nodal_set_defaults(${owner})
+    get_target_property(options ${target} COMPILE_OPTIONS)
+    get_target_property(independent ${target} POSITION_INDEPENDENT_CODE)
+    set_target_properties(${owner} PROPERTIES COMPILE_OPTIONS "${options}" POSITION_INDEPENDENT_CODE ${independent})
+    target_link_libraries(${owner} PRIVATE ${ARG_UNPARSED_ARGUMENTS})
+    target_precompile_headers(${owner} PRIVATE ${ARG_HEADERS})
+  endif()
+  target_precompile_headers(${target} REUSE_FROM ${owner})
+endfunction()
+
 # nodal_add_library(<name> SOURCES … [HEADERS …] [PUBLIC lib …] [PRIVATE lib …])
 # Makes the static library nodal_<name>, alias and exported name nodal::<name>. HEADERS are public, below include/; each
 # is verified to compile alone.
@@ -26,6 +49,13 @@ function(nodal_add_library name)
   add_library(nodal::${name} ALIAS ${target})
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON)
   nodal_set_defaults(${target})
+  if(NODAL_FUZZ)
+    # A fuzzer is guided by what is run of the libraries; of the programs it needn't know.
+    target_compile_options(${target} PRIVATE -fsanitize=fuzzer-no-link)
+    target_link_options(${target} PUBLIC -fsanitize=fuzzer-no-link)
+  endif()
+  nodal_precompile(${target} library HEADERS <algorithm> <array> <cmath> <cstdint> <filesystem> <fstream> <functional>
+                   <map> <memory> <optional> <set> <span> <sstream> <stdexcept> <string> <string_view> <vector>)
   if(ARG_HEADERS)
     target_sources(${target} PUBLIC FILE_SET HEADERS BASE_DIRS include FILES ${ARG_HEADERS})
     set_target_properties(${target} PROPERTIES VERIFY_INTERFACE_HEADER_SETS ON)

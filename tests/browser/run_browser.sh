@@ -1,22 +1,22 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Opens a report in a headless browser at two widths; fails on console errors, charts not drawn, or a page that is wider
-# than its window. run_browser.sh BROWSER DIRECTORY EXPECTED COMMAND…: the command writes DIRECTORY/report.html, and
-# EXPECTED is what the probe below must find in it.
+# Opens a report in a headless browser; fails on console errors, charts not drawn, or a page that is wider than its window.
+#   run_browser.sh write DIRECTORY COMMAND…                      the command writes DIRECTORY/report.html, which is new
+#   run_browser.sh desktop|phone DIRECTORY BROWSER EXPECTED      EXPECTED is what the probe below must find in it
 set -eu
 
-browser=$1 out=$2 expected="PROBE $3"
-shift 3
+mode=$1 out=$2
+shift 2
+if [ "$mode" = write ]; then
+  rm -rf "$out"
+  mkdir -p "$out"
+  exec "$@"
+fi
+browser=$1 expected="PROBE $2"
 if [ ! -x "$browser" ]; then
   echo "no browser: install chromium" >&2
   exit 77
 fi
-rm -rf "$out"
-mkdir -p "$out"
-"$@" > "$out/command.log" 2>&1 || {
-  cat "$out/command.log" >&2
-  exit 1
-}
 
 # A script of the test's own, in a copy of the page: it looks, chooses every axis, hides a line, points at one, and
 # writes what happened where --dump-dom shows it.
@@ -59,17 +59,17 @@ addEventListener("load", async () => {
     `panels ${filled} of ${panels.length}, curves ${curves}, told ${told}`;
 });
 </script>'
-{ cat "$out/report.html"; printf '%s\n' "$probe"; } > "$out/probed.html"
+{ cat "$out/report.html"; printf '%s\n' "$probe"; } > "$out/$mode.probed.html"
 
 # A headless window can't be narrower than 500 pixels, so the phone is a frame in a page.
 printf '%s\n' '<!DOCTYPE html><title>phone</title><style>body{margin:0}iframe{border:0;display:block}</style>
 <iframe src="report.html" width="390" height="5200"></iframe>' > "$out/phone.html"
-printf '%s\n' '<!DOCTYPE html><title>phone</title><iframe src="probed.html" width="390" height="800"></iframe><script>
+printf '%s\n' '<!DOCTYPE html><title>phone</title><iframe src="phone.probed.html" width="390" height="800"></iframe><script>
 addEventListener("load", () => setInterval(() => { document.title = frames[0].document.title; }, 200));
 </script>' > "$out/phone_probed.html"
 
 flags="--headless --no-sandbox --disable-gpu --disable-dev-shm-usage --hide-scrollbars --allow-file-access-from-files
-       --user-data-dir=$out/profile --no-first-run --enable-logging=stderr --v=0"
+       --user-data-dir=$out/$mode.profile --no-first-run --enable-logging=stderr --v=0"
 
 run() {  # name, window size, page, what to do
   # shellcheck disable=SC2086
@@ -94,11 +94,13 @@ expect() {
   fi
 }
 
-run desktop_probe 1280,900 probed.html --dump-dom
-expect desktop_probe
-run phone_probe 800,900 phone_probed.html --dump-dom
-expect phone_probe
-run desktop 1280,4400 report.html "--screenshot=$out/desktop.png"
-run phone 390,5200 phone.html "--screenshot=$out/phone.png"
-rm -rf "$out/profile"
-echo "screenshots: $out/desktop.png $out/phone.png"
+if [ "$mode" = desktop ]; then
+  probed=1280,900,desktop.probed.html shown=1280,4400,report.html
+else
+  probed=800,900,phone_probed.html shown=390,5200,phone.html
+fi
+run "${mode}_probe" "${probed%,*}" "${probed##*,}" --dump-dom
+expect "${mode}_probe"
+run "$mode" "${shown%,*}" "${shown##*,}" "--screenshot=$out/$mode.png"
+rm -rf "$out/$mode.profile"
+echo "screenshot: $out/$mode.png"

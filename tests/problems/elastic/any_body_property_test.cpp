@@ -22,7 +22,7 @@
 namespace nodal::elastic {
 namespace {
 
-// 10,000 where they take seconds; fewer in a slow build (CMakeLists.txt).
+// In each share: four of 2,500 where they take seconds; fewer in a slow build (CMakeLists.txt).
 constexpr int kStudies = ANY_BODY_STUDIES;
 
 // A study at random, in the words of a user who may be sensible or not.
@@ -325,11 +325,14 @@ std::string outcome_of(const std::string& study, const std::filesystem::path& pa
   }
 }
 
-TEST(AnyBody, HasAValueOrAStatusOrARefusalAndNothingElse) {
+class AnyBody : public testing::TestWithParam<int> {};
+
+TEST_P(AnyBody, HasAValueOrAStatusOrARefusalAndNothingElse) {
   const toy::TemporaryDirectory directory;
   const std::filesystem::path path = directory.path() / "any.toml";
   std::map<std::string, int> outcomes;
-  for (int key = 0; key < kStudies && !HasFailure(); ++key) {
+  const int first = GetParam() * kStudies;
+  for (int key = first; key < first + kStudies && !HasFailure(); ++key) {
     const std::string study = StudyMaker(static_cast<std::uint64_t>(key), directory.path()).study();
     SCOPED_TRACE(fmt::format("study {}:\n{}", key, study));
     ++outcomes[outcome_of(study, path)];
@@ -339,6 +342,8 @@ TEST(AnyBody, HasAValueOrAStatusOrARefusalAndNothingElse) {
   EXPECT_GT(outcomes["refused"], kStudies / 8);
   for (const auto& [outcome, times] : outcomes) RecordProperty(outcome, times);
 }
+
+INSTANTIATE_TEST_SUITE_P(Shares, AnyBody, testing::Range(0, 4));
 
 }  // namespace
 }  // namespace nodal::elastic

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <Eigen/Dense>
+#include <Eigen/SVD>
 
 #include <nodal/elastic/mechanism.h>
 
