@@ -5,7 +5,6 @@
 #include <unistd.h>
 
 #include <chrono>
-#include <cstdlib>
 #include <set>
 #include <thread>
 
@@ -16,17 +15,6 @@
 
 namespace nodal::program {
 namespace {
-
-constexpr const char* kSlowStudy = R"([study]
-name = "slow"
-repeats = 6
-[budget]
-seconds = 0.25
-[problem]
-kind = "elastic"
-[[optimizer]]
-use = "random-search"
-)";
 
 // Waits until something is stored, but not for ever.
 bool wait_for_lines(const std::filesystem::path& directory, std::size_t wanted) {
@@ -91,54 +79,6 @@ TEST(Killed, ComparisonGoesOnFromWhatIsWhole) {
       << again.err;
   const Store store = Store::open_existing(folder.path() / "results" / "slow");
   EXPECT_EQ(store.records().size(), 6u);
-}
-
-TEST(Removed, StoreIsNoticed) {
-  const Folder folder;
-  folder.write("slow.toml", kSlowStudy);
-  const std::filesystem::path store = folder.path() / "results" / "slow";
-  Started program(folder, {"compare", "slow.toml"});
-  const bool began = wait_for_lines(store / "trials", 1);
-  std::filesystem::rename(store, folder.path() / "gone");  // at once; removing takes its time
-  std::filesystem::remove_all(folder.path() / "gone");
-  const Output output = program.wait();
-  ASSERT_TRUE(began);
-  EXPECT_EQ(output.exit, 2);
-  EXPECT_NE(output.err.find("the store 'results/slow' was moved or removed while trials ran"), std::string::npos)
-      << output.err;
-  EXPECT_FALSE(std::filesystem::exists(store));
-}
-
-// What some supervisors do: the first files that are opened must not be taken for standard output.
-TEST(ClosedStandardDescriptors, AreNotTheStores) {
-  const Folder folder;
-  folder.write("quick.toml", kQuickStudy);
-  const std::string command =
-      "cd '" + folder.path().string() + "' && '" NODAL_PROGRAM "' compare quick.toml <&- >&- 2>&-";
-  const int status = std::system(command.c_str());
-  EXPECT_EQ(WEXITSTATUS(status), 2);  // the table could not be written
-  const Store store = Store::open_existing(folder.path() / "results" / "quick");
-  EXPECT_TRUE(store.warnings().empty());
-  EXPECT_EQ(store.records().size(), 4u);
-  EXPECT_EQ(count_lines(folder.path() / "results" / "quick" / "trials"), 4u);
-}
-
-TEST(Rerun, SupersedesWhatWasStored) {
-  const Folder folder;
-  folder.write("quick.toml", kQuickStudy);
-  ASSERT_EQ(run(folder, {"compare", "quick.toml"}).exit, 0);
-  const Output again = run(folder, {"compare", "quick.toml", "--rerun", "annealing"});
-  EXPECT_EQ(again.exit, 0) << again.err;
-  EXPECT_TRUE(again.err.starts_with("2 of 4 trials are stored already\nrunning 2 trials\n")) << again.err;
-  const Output fresh = run(folder, {"compare", "quick.toml", "--fresh"});
-  EXPECT_EQ(fresh.exit, 0) << fresh.err;
-  EXPECT_TRUE(fresh.err.starts_with("running 4 trials\n")) << fresh.err;
-  const std::filesystem::path store = folder.path() / "results" / "quick";
-  EXPECT_EQ(Store::open_existing(store).records().size(), 4u);
-  EXPECT_EQ(count_lines(store / "trials"), 10u);
-  EXPECT_EQ(run(folder, {"compare", "quick.toml", "--rerun", "anealing"}).err,
-            "nodal: --rerun: no optimizer of the study is labelled 'anealing'; did you mean 'annealing'?\n");
-  EXPECT_EQ(run(folder, {"compare", "quick.toml", "--rerun", "failed", "--fresh"}).exit, 2);
 }
 
 }  // namespace

@@ -61,6 +61,16 @@ void send(pid_t process, int signal, bool to_all) {
   ::kill(process, signal);
 }
 
+// Until the program has begun a trial, or has nothing to begin.
+void wait_for_a_trial(pid_t process) {
+  for (int i = 0; i < 1000 && children_of(process).empty(); ++i) {
+    siginfo_t ended{};
+    ::waitid(P_PID, static_cast<id_t>(process), &ended, WEXITED | WNOWAIT | WNOHANG);
+    if (ended.si_pid == process) return;
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  }
+}
+
 struct Kind {
   const char* name;
   int signal;
@@ -77,6 +87,7 @@ class Killing : public testing::TestWithParam<Kind> {
   Output run_until_killed(const std::string& out, std::chrono::milliseconds moment) {
     Started program(folder_, {"compare", "s.toml", "--out", out, "--jobs", std::to_string(1 + random_() % 2)});
     ::setpgid(program.process(), program.process());
+    if (random_() % 8 != 0) wait_for_a_trial(program.process());  // else at its very beginning
     std::this_thread::sleep_for(moment);
     send(program.process(), GetParam().signal, GetParam().to_all);
     return program.wait();
@@ -131,7 +142,8 @@ TEST_P(Pausing, IsNeitherTimeoutNorSearch) {
     folder.write("s.toml", kStudy);
     Started program(folder, {"compare", "s.toml", "--out", "out"});
     ::setpgid(program.process(), program.process());
-    std::this_thread::sleep_for(std::chrono::milliseconds(50 + random() % 250));
+    wait_for_a_trial(program.process());
+    std::this_thread::sleep_for(std::chrono::milliseconds(random() % 200));
     send(program.process(), SIGSTOP, GetParam());
     std::this_thread::sleep_for(std::chrono::duration<double>(kPause));
     send(program.process(), SIGCONT, GetParam());

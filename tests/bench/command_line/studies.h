@@ -26,4 +26,16 @@ baseline = true
 use = "random-search"
 )";
 
+/// Six trials of a quarter of a second: long enough to be stopped in between.
+inline const std::string kSlowStudy = R"([study]
+name = "slow"
+repeats = 6
+[budget]
+seconds = 0.25
+[problem]
+kind = "elastic"
+[[optimizer]]
+use = "random-search"
+)";
+
 }  // namespace nodal::program
