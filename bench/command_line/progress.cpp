@@ -41,7 +41,7 @@ void Progress::finished(const TrialRecord& record, std::size_t done, std::size_t
 
 void Progress::warned(const std::string& warning) {
   close();
-  std::cerr << "warning: " << report::printable(warning) << '\n';
+  say("warning", warning);
 }
 
 void Progress::close() {

@@ -118,13 +118,17 @@ void add_bounds(std::vector<Filler>& fillers) {
 
 // What marks in the table stand for.
 std::vector<std::string> notes_of(const std::vector<OptimizerRow>& rows) {
-  std::size_t disturbed = 0;
-  for (const OptimizerRow& row : rows) disturbed += row.contaminated;
+  std::size_t disturbed = 0, trials = 0;
+  for (const OptimizerRow& row : rows) {
+    disturbed += row.contaminated;
+    trials += row.trials;
+  }
   if (disturbed == 0) return {};
   return {
-      fmt::format("{} {} of these trials did not have a processor core to themselves: times are too long, and what the "
-                  "clock ended is too bad. --rerun contaminated runs them again.",
-                  kDisturbed, disturbed)};
+      fmt::format("{} {} of {} trials did not have a processor core to themselves: their times are too long, and those "
+                  "that the clock ended searched less than they could have. nodal compare --rerun contaminated runs "
+                  "them again.",
+                  kDisturbed, disturbed, trials)};
 }
 
 std::vector<const OptimizerRow*> best_first(const ProblemTable& table, bool has_error) {

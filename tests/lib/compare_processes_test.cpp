@@ -35,6 +35,15 @@ TEST(Compare, KeepsARowOfATrialWhoseProcessAborts) {
   EXPECT_EQ(store.records()[1].end, End::budget);
 }
 
+// A program that ignores SIGPIPE for its own output doesn't decide what it does to trials.
+TEST(Compare, GivesTrialsTheDefaultOfABrokenPipe) {
+  const TemporaryDirectory directory;
+  const auto former = ::signal(SIGPIPE, SIG_IGN);
+  EXPECT_EQ(run(study_with(use("piping"), once()), directory).failed, 1u);
+  ::signal(SIGPIPE, former);
+  EXPECT_EQ(only_record(directory).reason, "the trial's process died: signal 13 (Broken pipe)");
+}
+
 TEST(Compare, KeepsARowOfATrialWhoseProcessLeaves) {
   const TemporaryDirectory directory;
   EXPECT_EQ(run(study_with(use("leaving"), once()), directory).failed, 1u);

@@ -230,7 +230,7 @@ TEST(Study, OffersTheNearestOfAnUnknownName) {
             "s.toml:4: unknown optimizer 'halfing'; did you mean 'halving' or 'hanging'?");
   EXPECT_EQ(refusal_after_problem("[[optimizer]]\nuse = \"\"\n"),
             "s.toml:4: unknown optimizer ''; valid: 'halving', 'wanderer', 'newton', 'walker', 'aborting', 'hanging', "
-            "'leaving', 'throwing', 'latin', 'talkative'");
+            "'leaving', 'throwing', 'latin', 'talkative', 'piping'");
 }
 
 TEST(Study, TakesSeveralLabelsAtOnceAndLabelsWithCommas) {

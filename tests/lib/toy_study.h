@@ -4,6 +4,7 @@
 /// A registry of small problems and of optimizers that behave well and badly, and studies made with it.
 
 #include <chrono>
+#include <csignal>
 #include <cstdlib>
 #include <string>
 #include <thread>
@@ -147,6 +148,7 @@ inline Registry registry() {
   add_misbehaving(registry, "throwing", [] { throw std::runtime_error("lost its way"); });
   add_misbehaving(registry, "latin", [] { throw std::runtime_error("caf\xE9 ferm\xE9"); });
   add_misbehaving(registry, "talkative", [] { throw std::runtime_error(std::string(300000, 'x')); });
+  add_misbehaving(registry, "piping", [] { std::raise(SIGPIPE); });
   registry.add(AbsentDescription{"nlopt-*", "needs NLopt: configure with -DNODAL_NLOPT=ON"});
   return registry;
 }

@@ -162,6 +162,22 @@ TEST_F(HostileStore, MayHoldAbsurdFigures) {
   }
 }
 
+// What the terminal says of builds and disturbed trials stands on the page, too.
+TEST_F(HostileStore, SaysOnThePageWhatItsTimesAreWorth) {
+  const Output output = report_of_records([](TrialRecord& r) {
+    if (!r.conditions) r.conditions.emplace();
+    r.conditions->build = r.repeat == 0 ? "0123456789abcdef" : r.conditions->build;
+    r.conditions->stopped = r.optimizer == "annealing";
+  });
+  EXPECT_EQ(output.exit, 0) << output.err;
+  EXPECT_TRUE(contains(output.err, "another build")) << output.err;
+  EXPECT_TRUE(contains(page(), "another build"));
+  for (const std::string& text : {output.out, page()}) {
+    EXPECT_TRUE(contains(text, "annealing (baseline) †")) << text;
+    EXPECT_TRUE(contains(text, "† 2 of 4 trials did not have a processor core to themselves")) << text;
+  }
+}
+
 TEST_F(HostileStore, MayHoldTheSmallestNumbers) {
   const Output output = report_of_records([](TrialRecord& r) {
     for (PointSummary* point : {&r.start, &r.best->summary}) *point = {5e-324, 5e-324, 5e-324};
