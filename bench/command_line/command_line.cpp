@@ -5,6 +5,7 @@
 #include <functional>
 #include <iostream>
 #include <memory>
+#include <new>
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -185,6 +186,8 @@ int run_command(const Registry& registry, int argc, const char* const* argv) {
     return app.exit(done);
   } catch (const CLI::ParseError& error) {
     say("nodal", describe_usage_error(app, error, argc, argv));
+  } catch (const std::bad_alloc&) {
+    say("nodal", "there is not enough memory for this");
   } catch (const std::exception& error) {  // InputError, StoreError, and what else a library may throw
     say("nodal", error.what());
   }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <new>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -147,7 +148,7 @@ class StudyReader {
     claim_label(problem.label, entry, problem_labels_, "problems", "[problem]");
     problem.options = resolve_options(description->options, only_keys(entry, own, false),
                                       fmt::format("problem '{}'", shown(problem.label)));
-    problem.problem = description->make(problem.options, {study_.path.parent_path(), entry.source});
+    make(*description, entry, problem);
     if (options.has("best_known")) {
       const Options known = options.table("best_known");
       problem.best_known = KnownOptimum{known.number("quality"), known.text("origin"), {}};
@@ -155,6 +156,15 @@ class StudyReader {
       problem.best_known = problem.problem->known_optimum();
     }
     study_.problems.push_back(std::move(problem));
+  }
+
+  void make(const ProblemDescription& description, const Value& entry, StudyProblem& problem) const {
+    try {
+      problem.problem = description.make(problem.options, {study_.path.parent_path(), entry.source});
+    } catch (const std::bad_alloc&) {
+      throw InputError(entry.source, fmt::format("problem '{}' takes more memory than there is; make it smaller",
+                                                 shown(problem.label)));
+    }
   }
 
   void read_optimizer(const Value& entry) {

@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <new>
 
 #include "../support/messages.h"
 #include "../support/temporary_directory.h"
@@ -313,6 +314,15 @@ TEST(Study, AsksNothingOfAnOptimizerThatOnlyLeavesOut) {
 
 TEST(Study, PassesOnWhatAProblemRefuses) {
   EXPECT_EQ(refusal_after_problem("even = true\n"), "s.toml:1: an even bowl needs an even size");
+}
+
+TEST(Study, SaysWhatAsksForMoreMemoryThanThereIs) {
+  Registry greedy = toy::registry();
+  greedy.add(ProblemDescription{
+      .kind = "greedy",
+      .make = [](const Options&, const ProblemContext&) -> std::shared_ptr<const Problem> { throw std::bad_alloc(); }});
+  EXPECT_EQ(toy::message_of([&] { (void)parse_study("[problem]\nkind = \"greedy\"\n", "s.toml", greedy); }),
+            "s.toml:1: problem 'greedy' takes more memory than there is; make it smaller");
 }
 
 TEST(Study, RefusesMultiStartOfAGlobalMethod) {

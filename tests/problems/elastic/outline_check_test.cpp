@@ -77,6 +77,12 @@ TEST(OutlineCheck, IsMisusedWithoutRingsOrThickness) {
   EXPECT_THROW((void)checked_body({kSquare}, "b", 0.0, 0.5, {}), std::invalid_argument);
 }
 
+TEST(OutlineCheck, RefusesMoreHolesThanAnyNetGoesRound) {
+  std::vector<Ring> rings = {kSquare};
+  rings.resize(10'002, {{1, 1}, {1, 2}, {2, 1}});
+  EXPECT_EQ(refusal(rings), "f:3: the outline has 10001 holes; a body may have 10000");
+}
+
 TEST(OutlineCheck, NeedsThreePoints) {
   EXPECT_EQ(refusal({{}}), "f:3: the outline has 0 points; a ring needs at least 3 different ones");
   EXPECT_EQ(refusal({{{0, 0}, {1, 0}, {0, 0}}}),

@@ -22,6 +22,8 @@ class OutlineCheck {
   OutlineCheck(const std::vector<Ring>& rings, const Source& source) : rings_(rings), source_(source) {}
 
   void run() {
+    if (rings_.size() - 1 > kMostHoles)
+      refuse(fmt::format("the outline has {} holes; a body may have {}", rings_.size() - 1, kMostHoles));
     for (std::size_t r = 0; r < rings_.size(); ++r) check_points(r);
     check_size();
     for (std::size_t r = 0; r < rings_.size(); ++r) {

@@ -11,7 +11,7 @@
 /// Refused  fewer than 3 points; a point that is not finite, or out of range; an outline so far from the origin that
 ///          its coordinates are coarser than the tolerance; vertices, or a vertex and a side, nearer to each other than
 ///          the tolerance; sides that cross; a side that folds back on its predecessor; rings without area; holes not
-///          inside the outline, or within each other.
+///          inside the outline, or within each other; more than kMostHoles of them.
 /// The tolerance is kPlaceRounding of the outline's size: nearer than that, sides differ by rounding alone.
 /// Sides may be collinear, and turns may be as sharp as the tolerance lets them.
 ///
@@ -19,6 +19,7 @@
 /// (0 0, 1 0, 0.5 -1e-8, 1 1, 0 1), whose side crosses the bottom, it says valid, and for a notch 1e-8 wide it says
 /// invalid; with 50,000 vertices it takes 5 s.
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,9 @@ namespace nodal::elastic {
 
 /// The second moments are fourth powers of lengths; within these they and their sums stay in double precision.
 inline constexpr double kLargestCoordinate = 1e75, kSmallestBody = 1e-75;
+
+/// Each of them takes nodes of its own, so more are taken for a mistake.
+inline constexpr std::size_t kMostHoles = 10000;
 
 /// InputError at `source` for what is refused above. std::invalid_argument without rings, or for a thickness that is
 /// not positive.

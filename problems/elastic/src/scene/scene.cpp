@@ -15,6 +15,7 @@
 #include "lanes/lane_instructions.h"
 #include "loads/study_loads.h"
 #include "points/written_places.h"
+#include "scene/memory_need.h"
 #include "scene/read_masses.h"
 #include "scene/read_net.h"
 #include "scene/read_parameters.h"
@@ -232,6 +233,8 @@ Scene make_scene(const Options& options, const ProblemContext& context) {
   tell_of_outline(options.table("points"), scene);
   scene.masses = read_masses(options.table("masses"), scene.net);
   read_loads(options, context, scene);
+  require_memory(scene.net.nodes.size(), scene.loads.groups.size(), available_memory(),
+                 options.table("points").values().source);
   require_rigid(scene.net, scene.loads, options.table("springs").values().source);
 
   const Options weights = options.table("quality").table("weights");

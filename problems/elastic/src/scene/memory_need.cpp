@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "scene/memory_need.h"
+
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+namespace nodal::elastic {
+
+double memory_need(std::size_t nodes, std::size_t groups) {
+  constexpr double kOfNet = 200.0, kOfGroup = 250.0;
+  const double n = static_cast<double>(nodes);
+  return n * std::log2(n + 1.0) * (kOfNet + kOfGroup * static_cast<double>(groups));
+}
+
+void require_memory(std::size_t nodes, std::size_t groups, double memory, const Source& source) {
+  constexpr double kGigabyte = 1e9, kShare = 0.75;  // the rest is for other programs, and for estimates that are low
+  const double need = memory_need(nodes, groups);
+  if (need <= kShare * memory) return;
+  throw InputError(source,
+                   fmt::format("{} nodes under {} group{} of supports need about {:.2g} GB of memory, more than "
+                               "three quarters of the {:.2g} GB that there are; take fewer nodes",
+                               nodes, groups, groups == 1 ? "" : "s", need / kGigabyte, memory / kGigabyte));
+}
+
+double available_memory() {
+  double limit = std::numeric_limits<double>::infinity();
+  rlimit of_process{};
+  if (::getrlimit(RLIMIT_AS, &of_process) == 0 && of_process.rlim_cur != RLIM_INFINITY)
+    limit = static_cast<double>(of_process.rlim_cur);
+  const long pages = ::sysconf(_SC_PHYS_PAGES), size = ::sysconf(_SC_PAGESIZE);
+  if (pages <= 0 || size <= 0) return limit;
+  return std::min(limit, static_cast<double>(pages) * static_cast<double>(size));
+}
+
+}  // namespace nodal::elastic

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "scene/memory_need.h"
+
+#include <gtest/gtest.h>
+
+#include "../../support/messages.h"
+
+namespace nodal::elastic {
+namespace {
+
+// The largest resident sizes of `nodal explain` for crossed grids of n × n nodes, measured [bytes].
+TEST(MemoryNeed, IsNearWhatWasMeasured) {
+  const struct {
+    std::size_t side, groups;
+    double measured;
+  } rows[] = {{100, 4, 174e6}, {200, 4, 748e6}, {300, 4, 1854e6}, {100, 1, 72e6}, {200, 1, 282e6}};
+  for (const auto& row : rows) {
+    const double ratio = memory_need(row.side * row.side, row.groups) / row.measured;
+    EXPECT_GT(ratio, 0.75) << row.side;
+    EXPECT_LT(ratio, 1.25) << row.side;
+  }
+}
+
+TEST(MemoryNeed, IsRefusedWithItsSize) {
+  const Source source{"s.toml", 4};
+  EXPECT_EQ(
+      toy::message_of([&] { require_memory(1'000'000, 4, 3e10, source); }),
+      "s.toml:4: 1000000 nodes under 4 groups of supports need about 24 GB of memory, more than three quarters of "
+      "the 30 GB that there are; take fewer nodes");
+  EXPECT_EQ(toy::message_of([&] { require_memory(1'000'000, 1, 1.3e10, source); }), "(nothing was thrown)");
+  EXPECT_EQ(toy::message_of([&] { require_memory(25, 4, available_memory(), source); }), "(nothing was thrown)");
+}
+
+}  // namespace
+}  // namespace nodal::elastic
