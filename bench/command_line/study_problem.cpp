@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include <nodal/shown.h>
+
 namespace nodal {
 
 std::size_t find_problem(const Study& study, const std::string& label) {
@@ -18,7 +20,7 @@ std::size_t find_problem(const Study& study, const std::string& label) {
   const auto found = std::ranges::find(labels, label);
   if (found == labels.end())
     throw InputError(Source{"--problem", 0},
-                     fmt::format("no problem of the study is labelled '{}'{}", label, name_hint(label, labels)));
+                     fmt::format("no problem of the study is labelled '{}'{}", shown(label), name_hint(label, labels)));
   return static_cast<std::size_t>(found - labels.begin());
 }
 

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <nodal/error.h>
+#include <nodal/shown.h>
 
 namespace nodal {
 
@@ -44,13 +45,13 @@ std::string describe_usage_error(const CLI::App& app, const CLI::ParseError& err
   const auto found = std::ranges::find(names, std::string(argv[1]));
   if (found == names.end()) {
     const bool option = argv[1][0] == '-';
-    return fmt::format("'{}' is no {}{}", argv[1], option ? "option" : "command",
+    return fmt::format("'{}' is no {}{}", shown(argv[1]), option ? "option" : "command",
                        name_hint(argv[1], option ? option_names(app) : names));
   }
   const CLI::App& command = *commands[static_cast<std::size_t>(found - names.begin())];
   const std::vector<std::string> known = option_names(command);
   if (const std::string wrong = unknown_option(known, argc, argv); !wrong.empty())
-    return fmt::format("'{}' is no option of nodal {}{}", wrong, *found, name_hint(wrong, known));
+    return fmt::format("'{}' is no option of nodal {}{}", shown(wrong), *found, name_hint(wrong, known));
   return fmt::format("{}; see nodal {} --help", error.what(), *found);
 }
 
@@ -59,7 +60,7 @@ CLI::Validator above_zero() {
     char* end = nullptr;
     const double value = std::strtod(text.c_str(), &end);
     const bool number = !text.empty() && *end == '\0' && std::isfinite(value);
-    return number && value > 0.0 ? std::string() : fmt::format("'{}' is no number above 0", text);
+    return number && value > 0.0 ? std::string() : fmt::format("'{}' is no number above 0", shown(text));
   };
   return CLI::Validator(check, "> 0");
 }

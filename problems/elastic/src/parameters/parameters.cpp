@@ -11,6 +11,8 @@
 
 #include <fmt/format.h>
 
+#include <nodal/shown.h>
+
 #include "parameters/spring_classes.h"
 #include "parameters/symmetry.h"
 
@@ -108,18 +110,19 @@ ParameterRule listed_rule(const Net& net, const std::vector<SpringGroup>& groups
   for (const SpringGroup& group : groups) {
     if (group.name.empty()) throw std::invalid_argument("a group of springs needs a name");
     if (!names.insert(group.name).second) throw std::invalid_argument("two groups are named '" + group.name + "'");
-    if (group.springs.empty()) throw std::invalid_argument("group '" + group.name + "' has no springs");
+    if (group.springs.empty()) throw std::invalid_argument("group '" + shown(group.name) + "' has no springs");
     for (const auto& ends : group.springs) {
       const auto found = by_nodes.find(std::minmax(ends[0], ends[1]));
       if (found == by_nodes.end())
-        throw std::invalid_argument(
-            fmt::format("group '{}' lists ({}, {}), but no spring joins these nodes", group.name, ends[0], ends[1]));
+        throw std::invalid_argument(fmt::format("group '{}' lists ({}, {}), but no spring joins these nodes",
+                                                shown(group.name), ends[0], ends[1]));
       std::string& of_spring = rule.group_of_spring[found->second];
       if (!of_spring.empty())
         throw std::invalid_argument(
-            of_spring == group.name ? fmt::format("group '{}' lists ({}, {}) twice", group.name, ends[0], ends[1])
-                                    : fmt::format("spring ({}, {}) is in the groups '{}' and '{}'; it can be in one",
-                                                  ends[0], ends[1], of_spring, group.name));
+            of_spring == group.name
+                ? fmt::format("group '{}' lists ({}, {}) twice", shown(group.name), ends[0], ends[1])
+                : fmt::format("spring ({}, {}) is in the groups '{}' and '{}'; it can be in one", ends[0], ends[1],
+                              shown(of_spring), shown(group.name)));
       of_spring = group.name;
     }
   }

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <nodal/random.h>
+#include <nodal/shown.h>
 
 #include "files/system_files.h"
 #include "points/grid_points.h"
@@ -241,7 +242,7 @@ std::string read_topology(const Options& problem) {
   if (known == topologies().end()) {
     std::vector<std::string> names;
     for (const Topology& t : topologies()) names.push_back(t.name);
-    throw InputError(source, fmt::format("unknown topology '{}'{}", topology, name_hint(topology, names)));
+    throw InputError(source, fmt::format("unknown topology '{}'{}", shown(topology), name_hint(topology, names)));
   }
   if (known->mechanism)
     throw InputError(source, fmt::format("topology '{}' is a mechanism: without diagonals its cells shear without "
