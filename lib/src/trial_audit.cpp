@@ -40,7 +40,7 @@ std::optional<double> TrialAudit::figure(const std::string& name, Get get) {
   try {
     const std::optional<double> value = get();
     if (!value || std::isfinite(*value)) return value;
-    fail(fmt::format("the {} is {}", name, *value));
+    fail(fmt::format("the {} is {}", name, std::isnan(*value) ? "nan" : fmt::format("{}", *value)));
   } catch (const std::exception& error) {
     fail(fmt::format("the {} threw: {}", name, error.what()));
   } catch (...) {

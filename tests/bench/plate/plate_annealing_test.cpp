@@ -53,6 +53,7 @@ std::map<std::string, std::string> without_seconds(const Store& store) {
   for (TrialRecord record : store.records()) {
     record.seconds = {};
     for (TracePoint& point : record.trace) point.seconds = 0.0;
+    record.conditions.reset();  // how many jobs there were, say
     lines[record.key] = to_json_line(record);
   }
   return lines;

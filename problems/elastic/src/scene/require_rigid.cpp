@@ -2,6 +2,7 @@
 #include "scene/require_rigid.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 
 #include <fmt/format.h>
@@ -56,7 +57,14 @@ std::vector<std::string> loads_of(const LoadSet& loads, std::size_t group) {
 }
 
 std::string why(const Net& net, bool rigid) {
-  if (rigid) return "the supports don't hold a rigid body: hold three displacements at least";
+  if (rigid) {
+    // One node held and the one farthest to its side carried: the least that holds whatever has a width.
+    const auto far = std::ranges::max_element(
+        net.nodes, {}, [&](const Point& node) { return std::abs(node[0] - net.nodes.front()[0]); });
+    return fmt::format("the supports don't hold a rigid body: hold three displacements at least, as supports = [{{ nodes = "
+                       "[{}] }}, {{ nodes = [{}], fix = \"y\" }}] does",
+                       net.id(0), net.id(static_cast<std::size_t>(far - net.nodes.begin())));
+  }
   std::vector<bool> joined(net.nodes.size(), false);
   for (const Spring& s : net.springs) joined[s.first] = joined[s.second] = true;
   std::vector<std::size_t> alone;
