@@ -15,6 +15,7 @@
 #include <nodal/random.h>
 
 #include "energy_start.h"
+#include "loads/selection.h"
 #include "plate.h"
 
 namespace nodal::elastic {
@@ -100,6 +101,17 @@ class Copy {
   const Scene& scene() const { return scene_; }
   /// The number of an old spring.
   std::size_t spring(std::size_t old) const { return spring_[old]; }
+  /// The numbers of old nodes, ascending.
+  std::vector<std::size_t> nodes(std::vector<std::size_t> old) const {
+    for (std::size_t& node : old) node = node_[node];
+    std::ranges::sort(old);
+    return old;
+  }
+  /// Where a place goes.
+  Point place(const Point& p) const {
+    const Point q = turned(p);
+    return {q[0] + change_.shift[0], q[1] + change_.shift[1]};
+  }
 
  private:
   std::vector<std::size_t> numbers(std::size_t count, std::uint64_t key) const {
@@ -127,10 +139,6 @@ class Copy {
 
   void move_net(const Net& from) {
     Net& net = scene_.net;
-    const auto place = [this](const Point& p) {
-      const Point q = turned(p);
-      return Point{q[0] + change_.shift[0], q[1] + change_.shift[1]};
-    };
     for (Ring& ring : net.body.rings)
       for (Point& p : ring) p = place(p);
     for (std::size_t i = 0; i < node_.size(); ++i) {
@@ -242,6 +250,40 @@ TEST(LeastEnergy, IsThatOfTheCopy) {
   EXPECT_GT(error, 1e-3) << "a floor to compare";
   for (const Change& change : kChanges)
     EXPECT_NEAR(least_error(Copy(scene, change).scene()), error, 1e-9 * error) << change.name;
+}
+
+std::vector<std::size_t> selected(const char* key, const Value& value, const Net& net) {
+  Value table;
+  table.set(key, value);
+  return select_nodes(Options(table), net);
+}
+
+// Sides, outlines and places select the copies of the nodes that they selected, which lie on the outline and at corners
+// as those did.
+TEST(Selection, IsThatOfTheCopy) {
+  const Scene scene = gear(false);
+  std::vector<std::string> edges = {"outline", "hole-1"};
+  for (std::size_t side = 0; side < scene.net.body.rings[0].size(); ++side)
+    edges.push_back("side-" + std::to_string(side));
+  RandomStream random(9);
+  std::vector<Point> places;
+  for (int i = 0; i < 50; ++i) places.push_back({random.uniform(-1.2, 1.2), random.uniform(-1.2, 1.2)});
+  for (const Change& change : kChanges) {
+    SCOPED_TRACE(change.name);
+    const Copy copy(scene, change);
+    Net net = copy.scene().net;
+    const std::vector<NodeKind> kinds = net.kinds;
+    find_border(net);
+    EXPECT_EQ(net.kinds, kinds);
+    for (const std::string& edge : edges)
+      EXPECT_EQ(selected("edge", edge, net), copy.nodes(selected("edge", edge, scene.net))) << edge;
+    for (const Point& p : places) {
+      const Point q = copy.place(p);
+      EXPECT_EQ(selected("near", Value::List{p[0], p[1]}, scene.net).size(), 1u);
+      EXPECT_EQ(selected("near", Value::List{q[0], q[1]}, net),
+                copy.nodes(selected("near", Value::List{p[0], p[1]}, scene.net)));
+    }
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Supports, Invariance, testing::Bool(),
