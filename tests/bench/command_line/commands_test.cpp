@@ -117,6 +117,24 @@ TEST(Evaluate, TellsErrorPerLoadAndBearingForces) {
   EXPECT_LT(state.at("health").at("residual").number(), 1e-14);
 }
 
+// What may be wrong with a scene is told with its result, not in `explain` alone.
+TEST(Evaluate, TellsOfNodesBesideTheOutline) {
+  const Folder folder;
+  folder.write("nodes.csv", "node,x,y\n1,0,0\n2,1,0\n3,0.9995,1\n4,0,1\n");
+  folder.write("springs.csv", "first,second\n1,2\n2,3\n3,4\n4,1\n1,3\n2,4\n");
+  folder.write("displacements.csv", "node,ux,uy\n3,1,0\n");
+  const std::string study =
+      "[problem]\nkind = \"elastic\"\nbody = { outline = [[0, 0], [1, 0], [1, 1.0005], [0, 1.0005]] }\n"
+      "points = { file = \"nodes.csv\" }\nsprings = { file = \"springs.csv\" }\n"
+      "reference = { file = \"displacements.csv\" }\n[[problem.loads.cases]]\nname = \"pull\"\n"
+      "supports = [{ edge = \"left\" }, { nodes = [2], fix = \"y\" }]\nforces = [{ nodes = [3], force = [1, 0] }]\n";
+  folder.write("near.toml", study);
+  const std::string note = "note: 1 node is within 0.001 of the body's size of the outline but not on it: 3; ";
+  EXPECT_TRUE(contains(run(folder, {"evaluate", "near.toml"}).err, note));
+  EXPECT_TRUE(contains(run(folder, {"explain", "near.toml"}).out, note));
+  EXPECT_TRUE(contains(run(folder, {"fit", "near.toml", "--with", "annealing", "--evaluations", "10"}).err, note));
+}
+
 // The system that a fit exports is the one that evaluate reads: the same error, to the last digits that JSON keeps.
 TEST(Fit, ExportsWhatEvaluateReads) {
   const Folder folder;
