@@ -80,6 +80,7 @@ void TrialAudit::note_best() {
     return;
   }
   const std::vector<double> x(meter_.best_point().begin(), meter_.best_point().end());
+  if (!problem_.space().contains(x)) fail("the best point lies outside the box");
   const Evaluation seen{Status::ok, meter_.best_cost()};
   const Evaluation audited = audit(x, "the best point");
   record_.health = evaluator_.health();
