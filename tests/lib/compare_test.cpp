@@ -100,7 +100,8 @@ TEST(Compare, KeepsARowOfATrialWhoseNumbersNoRecordCanHold) {
         toy::study("[budget]\nevaluations = 5\n[problem]\nkind = \"unspeakable\"\n" + use("halving"), once());
     EXPECT_EQ(run(study, directory, {.isolate = isolate}).failed, 1u);
     EXPECT_EQ(only_record(directory).end, End::failed);
-    EXPECT_EQ(only_record(directory).reason, "no record could be made: NaN and infinity can't be written as JSON");
+    EXPECT_NE(only_record(directory).reason.find("the relative error of the start is "), std::string::npos)
+        << only_record(directory).reason;
   }
 }
 
