@@ -1,9 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "elastic_state.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
+
+#include <nodal/elastic/determination.h>
+
+#include "at_bounds.h"
+#include "state_tables.h"
 
 namespace nodal {
 
@@ -37,6 +43,16 @@ Value health_json(const Health& health) {
   return table;
 }
 
+// The springs whose stiffness the reference says nothing about.
+Value undetermined_json(const elastic::ElasticProblem& problem, std::span<const double> stiffness) {
+  Value::List list;
+  for (const std::size_t coordinate : elastic::determine(problem, stiffness).undetermined)
+    for (const std::size_t e : problem.parameters().springs_of(coordinate))
+      list.emplace_back(Value::List{node_name(problem.net(), problem.net().springs[e].first),
+                                    node_name(problem.net(), problem.net().springs[e].second)});
+  return Value(std::move(list));
+}
+
 double largest(const std::vector<double>& values) {
   double most = 0.0;
   for (const double v : values) most = std::max(most, std::abs(v));
@@ -59,9 +75,10 @@ Value state_json(const std::string& label, const elastic::ElasticProblem& proble
   for (const elastic::LoadState& load : state.loads) {
     Value entry;
     entry.set("name", load.name);
-    entry.set("quality", load.quality);
+    if (problem.scene().has_reference) entry.set("quality", load.quality);
     entry.set("displacement", pairs(load.displacement));
-    entry.set("reference", pairs(load.reference));
+    if (problem.scene().has_reference) entry.set("reference", pairs(load.reference));
+    entry.set("force", Value(Value::List(load.spring_force.begin(), load.spring_force.end())));
     entry.set("bearing", bearing_json(problem.net(), load));
     loads.push_back(std::move(entry));
   }
@@ -69,27 +86,56 @@ Value state_json(const std::string& label, const elastic::ElasticProblem& proble
   result.set("problem", label);
   result.set("nodes", index(problem.net().nodes.size()));
   result.set("springs", Value(std::move(springs)));
-  result.set("quality", state.quality);
-  result.set("relative_error", state.relative_error);
+  if (problem.scene().has_reference) {
+    result.set("quality", state.quality);
+    result.set("relative_error", state.relative_error);
+  }
   result.set("loads", Value(std::move(loads)));
   result.set("health", health_json(state.health));
+  if (Value undetermined = undetermined_json(problem, stiffness); !undetermined.list().empty())
+    result.set("undetermined", std::move(undetermined));
   if (Value details = problem.details(); !details.table().empty()) result.set("details", std::move(details));
   return result;
 }
 
-std::string state_text(const std::string& label, const elastic::ElasticProblem& problem, const elastic::State& state) {
-  std::string text =
-      fmt::format("{}: {} nodes, {} springs\n", label, problem.net().nodes.size(), problem.net().springs.size());
-  text += fmt::format("relative error {:.6g}, G {:.10g}, k_max/k_min {:.4g}\n", state.relative_error, state.quality,
-                      state.health.spread.value_or(1.0));
-  if (state.health.error_estimate && state.health.residual)
-    text += fmt::format("accuracy: first refinement step {:.1e}, cost exact to {:.1e}, backward error {:.1e}\n",
-                        *state.health.error_estimate, state.health.cost_error.value_or(0.0), *state.health.residual);
+namespace {
+
+std::string accuracy_text(const Health& health) {
+  if (!health.error_estimate || !health.residual) return {};
+  return fmt::format("accuracy: first refinement step {:.1e}, cost exact to {:.1e}, backward error {:.1e}\n",
+                     *health.error_estimate, health.cost_error.value_or(0.0), *health.residual);
+}
+
+// What is compared with the reference: errors, and what a fit would make of these stiffnesses.
+std::string compared_text(const elastic::ElasticProblem& problem, std::span<const double> stiffness,
+                          const elastic::State& state) {
+  std::string text = fmt::format("relative error {:.6g}, G {:.10g}, k_max/k_min {:.4g}\n", state.relative_error,
+                                 state.quality, state.health.spread.value_or(1.0));
+  text += accuracy_text(state.health);
+  std::vector<double> x(problem.parameters().size());
+  problem.parameters().coordinates(stiffness, x);
+  text += fmt::format("{} ({:.6g} to {:.6g} N/m)\n", at_bounds_text(problem.space(), x),
+                      problem.scene().stiffness_bounds[0], problem.scene().stiffness_bounds[1]);
+  if (const std::string note = elastic::describe(elastic::determine(problem, stiffness), problem); !note.empty())
+    text += "note: " + note + "\n";
   text += fmt::format("\n{:<12} {:>14} {:>24} {:>26}\n", "load", "G", "largest displacement [m]",
                       "largest bearing force [N]");
   for (const elastic::LoadState& load : state.loads)
     text += fmt::format("{:<12} {:>14.6g} {:>24.6g} {:>26.6g}\n", load.name, load.quality, largest(load.displacement),
                         largest(load.bearing));
+  return text;
+}
+
+}  // namespace
+
+std::string state_text(const std::string& label, const elastic::ElasticProblem& problem,
+                       std::span<const double> stiffness, const elastic::State& state) {
+  std::string text =
+      fmt::format("{}: {} nodes, {} springs\n", label, problem.net().nodes.size(), problem.net().springs.size());
+  if (problem.scene().has_reference) return text + compared_text(problem, stiffness, state);
+  text += fmt::format("no reference to compare with; k_max/k_min {:.4g}\n", state.health.spread.value_or(1.0));
+  text += accuracy_text(state.health);
+  for (const elastic::LoadState& load : state.loads) text += state_tables(problem.net(), load);
   return text;
 }
 

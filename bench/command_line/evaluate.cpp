@@ -23,7 +23,7 @@ int evaluate_elastic(const EvaluateArguments& arguments, const std::string& labe
                      const elastic::ElasticProblem& problem) {
   if (!arguments.picture.empty()) refuse_no_picture("--picture", arguments.picture);
   const std::vector<double> stiffness = arguments.stiffness.empty()
-                                            ? problem.stiffness(problem.space().start())
+                                            ? problem.start_stiffness()
                                             : elastic::read_stiffness_file(arguments.stiffness, problem.net());
   const elastic::State state = problem.solve(stiffness);
   if (state.status != Status::ok) {
@@ -32,7 +32,7 @@ int evaluate_elastic(const EvaluateArguments& arguments, const std::string& labe
   }
   for (const std::string& finding : problem.scene().findings) std::cerr << fmt::format("note: {}\n", finding);
   std::cout << (arguments.json ? to_json(state_json(label, problem, stiffness, state)) + "\n"
-                               : state_text(label, problem, state));
+                               : state_text(label, problem, stiffness, state));
   if (!arguments.picture.empty()) {
     const std::string title =
         arguments.stiffness.empty() ? "start" : std::filesystem::path(arguments.stiffness).filename().string();

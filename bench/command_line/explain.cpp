@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <nodal/elastic/determination.h>
 #include <nodal/trial.h>
 
 #include "commands.h"
@@ -20,8 +21,11 @@ void explain_problem(const StudyProblem& entry) {
   std::cout << fmt::format("  gives: values{}{}\n", abilities.empty() ? "" : ", ", fmt::join(abilities, ", "));
   for (const Stage& stage : problem.stages())
     std::cout << fmt::format("  {} {}: {}\n", stage.used ? "used    " : "left out", stage.name, stage.detail);
-  const Evaluation start = problem.make_evaluator()->audit(problem.space().start());
-  if (start.ok())
+  const bool fitted = problem.fit_refusal().empty();
+  const Evaluation start = fitted ? problem.make_evaluator()->audit(problem.space().start()) : Evaluation{};
+  if (!fitted)
+    std::cout << "  at the start: only to be evaluated\n";
+  else if (start.ok())
     std::cout << fmt::format("  at the start: quality {:.10g}{}\n", problem.quality(start.cost),
                              problem.relative_error(start.cost)
                                  ? fmt::format(", relative error {:.6g}", *problem.relative_error(start.cost))
@@ -32,6 +36,10 @@ void explain_problem(const StudyProblem& entry) {
     std::cout << fmt::format("  best known: quality {:.10g} ({})\n", entry.best_known->quality,
                              entry.best_known->origin);
   for (const std::string& remark : problem.remarks()) std::cout << "  note: " << remark << '\n';
+  if (const auto* elastic = dynamic_cast<const elastic::ElasticProblem*>(&problem)) {
+    const std::string text = elastic::describe(elastic::determine(*elastic, elastic->start_stiffness()), *elastic);
+    if (!text.empty()) std::cout << "  note: " << text << '\n';
+  }
   std::cout << '\n';
 }
 

@@ -1,18 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <algorithm>
+#include <unistd.h>
+
 #include <iostream>
-#include <optional>
+#include <memory>
 
 #include <fmt/format.h>
 
+#include <nodal/elastic/determination.h>
 #include <nodal/elastic/elastic_problem.h>
 #include <nodal/elastic/pruning.h>
 #include <nodal/elastic/stiffness.h>
 #include <nodal/file.h>
 #include <nodal/trial.h>
 
+#include "at_bounds.h"
 #include "commands.h"
 #include "drawn_refusal.h"
+#include "fit_clock.h"
+#include "fit_method.h"
 #include "output_file.h"
 #include "progress.h"
 #include "report/picture_svg.h"
@@ -23,80 +28,7 @@ namespace nodal {
 
 namespace {
 
-// Above this a dense Jacobian is slower than products with it (an elastic plate of 5 × 5 nodes has 0.1 MiB, 10 × 10
-// have 2 MiB and are fitted in a tenth of the time without).
-constexpr double kMostJacobianBytes = 0.5 * 1048576.0;
 constexpr double kDefaultSeconds = 60.0;
-
-struct Choice {
-  StudyOptimizer optimizer;
-  std::string why;
-};
-
-StudyOptimizer with_defaults(const OptimizerDescription& description) {
-  StudyOptimizer optimizer;
-  optimizer.label = optimizer.use = description.name;
-  optimizer.options = resolve_options(description.options, Value(), "optimizer '" + description.name + "'");
-  optimizer.deterministic = description.deterministic;
-  return optimizer;
-}
-
-// What suits the problem: least squares, with a dense Jacobian while that is small, with products beyond; gradients
-// where there are no residuals; else the paper's walk.
-Choice choose(const Problem& problem, const Registry& registry) {
-  struct Candidate {
-    const char* name;
-    bool suits;
-    std::string why;
-  };
-  const double jacobian =
-      8.0 * static_cast<double>(problem.residual_count()) * static_cast<double>(problem.space().size());
-  const bool small = problem.abilities().residuals && jacobian <= kMostJacobianBytes;
-  const std::vector<Candidate> candidates = {
-      {"ceres-levenberg-marquardt", small,
-       fmt::format("least squares with a dense Jacobian of {:.1f} MiB", jacobian / 1048576.0)},
-      {"gauss-newton", problem.abilities().jacobian_products,
-       fmt::format("least squares by products, since a dense Jacobian would take {:.1f} MiB", jacobian / 1048576.0)},
-      {"nlopt-lbfgs", problem.abilities().gradient,
-       "gradients cost little, and the memory needed grows with the coordinates only"},
-      {"ceres-lbfgs", problem.abilities().gradient,
-       "gradients cost little, and the memory needed grows with the coordinates only"},
-      {"annealing", true, "it needs nothing but values"},
-      {"random-search", true, "it needs nothing but values"},
-  };
-  for (const Candidate& candidate : candidates) {
-    const OptimizerDescription* description = registry.find_optimizer(candidate.name);
-    if (candidate.suits && description && problem.abilities().missing(description->needs).empty())
-      return {with_defaults(*description), candidate.why};
-  }
-  throw InputError("no optimizer of this build suits the problem; name one with --with");
-}
-
-Choice named(const std::string& name, const Study& study, const Registry& registry) {
-  for (const StudyOptimizer& optimizer : study.optimizers)
-    if (optimizer.label == name) return {optimizer, "the study's entry of that label"};
-  if (const OptimizerDescription* description = registry.find_optimizer(name))
-    return {with_defaults(*description), "with its defaults"};
-  if (const AbsentDescription* absent = registry.find_absent(name))
-    throw InputError(Source{"--with", 0}, fmt::format("optimizer '{}' is not in this build: {}", name, absent->reason));
-  std::vector<std::string> names;
-  for (const StudyOptimizer& optimizer : study.optimizers) names.push_back(optimizer.label);
-  for (const OptimizerDescription& description : registry.optimizers())
-    if (std::ranges::find(names, description.name) == names.end()) names.push_back(description.name);
-  throw InputError(Source{"--with", 0}, fmt::format("'{}' is neither a label of the study nor an optimizer{}", name,
-                                                    name_hint(name, names)));
-}
-
-void refuse_what_it_lacks(const Problem& problem, const StudyOptimizer& optimizer, const Registry& registry) {
-  const OptimizerDescription& description = *registry.find_optimizer(optimizer.use);
-  const std::vector<std::string> missing = problem.abilities().missing(description.needs);
-  if (!missing.empty())
-    throw InputError(Source{"--with", 0}, fmt::format("optimizer '{}' needs {}, which the problem can't give",
-                                                      optimizer.label, fmt::join(missing, " and ")));
-  const std::string refusal = dense_matrix_refusal(description, problem, registry);
-  if (!refusal.empty())
-    throw InputError(Source{"--with", 0}, fmt::format("optimizer '{}' {}", optimizer.label, refusal));
-}
 
 const elastic::ElasticProblem* as_elastic(const StudyProblem& entry) {
   return dynamic_cast<const elastic::ElasticProblem*>(entry.problem.get());
@@ -104,7 +36,7 @@ const elastic::ElasticProblem* as_elastic(const StudyProblem& entry) {
 
 // Before a long fit, not after it.
 void refuse_outputs(const FitArguments& arguments, const StudyProblem& entry) {
-  if (!arguments.out.empty()) refuse_unwritable("--export", arguments.out);
+  if (!arguments.out.empty()) refuse_no_system("--export", arguments.out);
   if (!arguments.picture.empty()) refuse_no_picture("--picture", arguments.picture);
   if (as_elastic(entry)) return;
   if (!arguments.picture.empty())
@@ -115,8 +47,36 @@ void refuse_outputs(const FitArguments& arguments, const StudyProblem& entry) {
                      fmt::format("problem '{}' has no springs to leave out; it is for elastic problems", entry.label));
 }
 
+// The budget of a fit, and who chose it.
+std::string choose_budget(Study& study, const StudyOverrides& overrides) {
+  Budget& budget = study.budget;
+  const bool asked = overrides.seconds || overrides.evaluations, none = !budget.seconds && !budget.evaluations;
+  if (none) budget.seconds = kDefaultSeconds;
+  std::string text;
+  if (budget.seconds) text += fmt::format("{:g} s", *budget.seconds);
+  if (budget.evaluations) text += fmt::format("{}{} evaluations", text.empty() ? "" : " or ", *budget.evaluations);
+  return fmt::format("at most {}, {}", text,
+                     asked  ? "as asked for"
+                     : none ? "the default: --seconds or --evaluations give another"
+                            : "as the study says: --seconds or --evaluations give another");
+}
+
+TrialRecord run_shown(const Study& study, std::size_t problem, const Registry& registry) {
+  const FitClock clock(::isatty(STDERR_FILENO) == 1, study.budget.seconds);
+  return run_trial(study, {problem, 0, 0}, registry);
+}
+
+void say_result(const TrialRecord& record, const Problem& problem, const Registry& registry) {
+  std::cerr << trial_line(record) << '\n';
+  if (!record.best) return;
+  std::string text = ending_text(record, registry);
+  if (record.health.spread) text += fmt::format("; k_max/k_min {:.4g}", *record.health.spread);
+  std::cerr << fmt::format("{}; {}\n", text, at_bounds_text(problem.space(), record.best->x));
+}
+
 void write_fitted(const FitArguments& arguments, const std::string& text) {
-  if (arguments.out.empty()) {
+  // Where standard output is a file, that is added to, not replaced.
+  if (arguments.out.empty() || arguments.out == "/dev/stdout") {
     std::cout << text << '\n';
     return;
   }
@@ -137,22 +97,42 @@ bool write_picture(const FitArguments& arguments, const elastic::ElasticProblem&
   return true;
 }
 
-// Prunes, exports and draws the system at a point of its space. False where it can't be drawn.
-bool write_system(const FitArguments& arguments, const StudyProblem& entry, const std::string& optimizer,
-                  const std::vector<double>& x) {
-  const elastic::ElasticProblem* problem = as_elastic(entry);
-  std::vector<double> stiffness = problem->stiffness(x);
-  std::string title = "fitted by " + optimizer;
-  elastic::Pruned pruned;
-  if (arguments.prune) {
-    pruned = elastic::prune(*problem, stiffness);
-    std::cerr << fmt::format("pruned: {}\n", elastic::describe(pruned));
-    problem = pruned.problem.get();
-    stiffness = pruned.stiffness;
-    title += ", pruned";
+// The springs that a fit leaves arbitrary.
+void say_undetermined(const elastic::ElasticProblem& problem, std::span<const double> stiffness) {
+  const std::string text = elastic::describe(elastic::determine(problem, stiffness), problem);
+  if (!text.empty()) std::cerr << "note: " << text << '\n';
+}
+
+struct FittedSystem {
+  std::shared_ptr<const Problem> problem;
+  std::vector<double> stiffness;
+  std::string title;
+
+  [[nodiscard]] const elastic::ElasticProblem& elastic() const {
+    return dynamic_cast<const elastic::ElasticProblem&>(*problem);
   }
-  write_fitted(arguments, elastic::system_json(*problem, stiffness));
-  return arguments.picture.empty() || write_picture(arguments, *problem, stiffness, entry.label, title);
+};
+
+// Leaves out soft springs within the limit of loss, and fits what stays again from where it is, with the same budget.
+void prune_and_refit(const FitArguments& arguments, Study study, std::size_t problem, const Registry& registry,
+                     FittedSystem& fitted) {
+  const elastic::Pruned pruned = elastic::prune(fitted.elastic(), fitted.stiffness, arguments.prune_loss);
+  std::cerr << fmt::format("pruned: {}\n", elastic::describe(pruned));
+  fitted.title += ", pruned";
+  if (pruned.removed.empty()) return;
+  fitted.problem = pruned.problem;
+  fitted.stiffness = pruned.stiffness;
+  study.problems[problem].problem = pruned.problem;
+  const TrialRecord record = run_shown(study, problem, registry);
+  std::cerr << "fitted again: ";
+  say_result(record, *pruned.problem, registry);
+  if (record.best) fitted.stiffness = pruned.problem->stiffness(record.best->x);
+}
+
+// Exports and draws. False where it can't be drawn.
+bool write_system(const FitArguments& arguments, const std::string& label, const FittedSystem& fitted) {
+  write_fitted(arguments, elastic::system_json(fitted.elastic(), fitted.stiffness));
+  return arguments.picture.empty() || write_picture(arguments, fitted.elastic(), fitted.stiffness, label, fitted.title);
 }
 
 // The point of a problem that the program knows nothing special of.
@@ -168,25 +148,30 @@ int fit_command(const FitArguments& arguments, const Registry& registry) {
   Study study = read_study_or_draw(arguments.study, registry, arguments.overrides, arguments.picture);
   const std::size_t problem_index = find_problem(study, arguments.problem);
   const StudyProblem& entry = study.problems[problem_index];
-  const Choice choice =
-      arguments.with.empty() ? choose(*entry.problem, registry) : named(arguments.with, study, registry);
-  refuse_what_it_lacks(*entry.problem, choice.optimizer, registry);
+  if (const std::string refusal = entry.problem->fit_refusal(); !refusal.empty()) throw InputError(refusal);
+  const FitMethod method = arguments.with.empty() ? choose_method(*entry.problem, study, registry)
+                                                  : named_method(arguments.with, study, registry);
+  refuse_what_it_lacks(*entry.problem, method.optimizer, registry);
   refuse_outputs(arguments, entry);
-  std::cerr << fmt::format("{} ({} coordinates) with {}: {}\n", entry.label, entry.problem->space().size(),
-                           choice.optimizer.label, choice.why);
+  study.optimizers = {method.optimizer};
+  const std::string budget = choose_budget(study, arguments.overrides);
+  std::cerr << fmt::format("{} ({} coordinates) with {}: {}; {}\n", entry.label, entry.problem->space().size(),
+                           method.optimizer.label, method.why, budget);
   if (const elastic::ElasticProblem* problem = as_elastic(entry))
     for (const std::string& finding : problem->scene().findings) std::cerr << fmt::format("note: {}\n", finding);
 
-  study.optimizers = {choice.optimizer};
-  if (!study.budget.seconds && !study.budget.evaluations) study.budget.seconds = kDefaultSeconds;
-  const TrialRecord record = run_trial(study, {problem_index, 0, 0}, registry);
-  std::cerr << trial_line(record) << '\n';
+  const TrialRecord record = run_shown(study, problem_index, registry);
+  say_result(record, *entry.problem, registry);
   if (!record.best) return kExitTrialFailed;
   bool drawn = true;
-  if (as_elastic(entry))
-    drawn = write_system(arguments, entry, choice.optimizer.label, record.best->x);
-  else
+  if (const elastic::ElasticProblem* problem = as_elastic(entry)) {
+    FittedSystem fitted{entry.problem, problem->stiffness(record.best->x), "fitted by " + method.optimizer.label};
+    say_undetermined(*problem, fitted.stiffness);
+    if (arguments.prune) prune_and_refit(arguments, study, problem_index, registry, fitted);
+    drawn = write_system(arguments, entry.label, fitted);
+  } else {
     write_point(arguments, *entry.problem, record.best->x);
+  }
   return record.end == End::failed || !drawn ? kExitTrialFailed : 0;
 }
 

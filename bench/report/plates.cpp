@@ -22,6 +22,10 @@ PlateLoad make_load(const elastic::LoadState& state, const elastic::LoadCase& lo
                   by_node(load.forces),
                   {},
                   known_freedoms(group, state.reference)};
+  if (state.reference.empty()) {  // nothing of it is known, so nothing is drawn
+    drawn.reference = drawn.displacement;
+    drawn.known.assign(drawn.displacement.size(), {false, false});
+  }
   // Supports come by ascending freedom, so a node held in both directions stands twice in a row.
   for (const elastic::Support& s : state.supports)
     if (drawn.fixed.empty() || drawn.fixed.back() != s.node) drawn.fixed.push_back(s.node);

@@ -194,6 +194,8 @@ void require_comparable(const Study& study) {
                      "the study has no optimizer to compare; add an [[optimizer]] table, e.g. use = \"annealing\"");
   if (!study.budget.seconds && !study.budget.evaluations)
     throw InputError(file, "the study sets no budget; give [budget] seconds or evaluations");
+  for (const StudyProblem& entry : study.problems)
+    if (const std::string refusal = entry.problem->fit_refusal(); !refusal.empty()) throw InputError(refusal);
 }
 
 CompareResult compare(const Study& study, const Registry& registry, Store& store, const CompareOptions& options,

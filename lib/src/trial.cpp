@@ -69,6 +69,7 @@ class Run {
         problem_(*study.problems.at(trial.problem).problem) {}
 
   void execute() {
+    if (const std::string refusal = problem_.fit_refusal(); !refusal.empty()) throw InputError(refusal);
     const double cpu_began = thread_cpu_seconds();
     const Meter::Clock::time_point began = Meter::Clock::now();
     const auto since = [began] { return std::chrono::duration<double>(Meter::Clock::now() - began).count(); };

@@ -116,15 +116,16 @@ constexpr std::string_view kElasticRules = R"(Rules between these keys:
 - `springs.topology`: `single`, `alternating` and `crossed` join a grid, `triangular` a triangular one; the others join any
   points. `springs.file` takes the place of a topology.
 - A net in which nodes can move without resistance is refused with the nodes that move, and drawn by `--picture`.
-- `springs.bounds`: 0 < lower < upper. They are multiplied by `material.young` and `body.thickness`: N/m.
+- `springs.bounds`: 0 < lower < upper. They are multiplied by `material.young` and `body.thickness`: N/m. Springs from a file have
+  bounds about their own stiffnesses instead where none are given.
 - `springs.initial`: as a table it has either `rule` or `file`. `lattice` needs a crossed grid of square
   cells, or equilateral triangles, that fill the body to its outline, as a triangular grid fills a regular hexagon with
   `turn = 0` whose radius is a multiple of its spacing. What a rule puts outside the bounds is moved just inside (`nodal
-  explain` says so); a file is refused instead.
+  explain` says so); a file's can be evaluated, but not fitted.
 - `springs.parameters = "symmetric"` is refused where no rotation or reflection carries the net into itself; `"groups"`
   needs a file of springs with a column `group`; as a table it has either `rule` or `lists`.
 - `masses` other than `none` need an outline; `positive` is refused where such masses are proved impossible.
-- `loads.stress` and `loads.supports` belong to the plate set, `loads.cases` to loads of your own, which need
+- `loads.stress` and `loads.supports` belong to the plate set, `loads.cases` to loads of your own, which to be fitted need
   `reference.file`: [your_own_system.md](your_own_system.md).
 - `loads.stress` is not 0, and not all `quality.weights` are 0: there would be nothing to fit.
 - In plane strain `material.poisson` is at most 0.4999.

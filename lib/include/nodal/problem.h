@@ -73,6 +73,9 @@ class Problem {
   /// What `nodal explain` prints: stages in the order of the data flow, and remarks (sizes, limits, adjusted starts).
   [[nodiscard]] virtual std::vector<Stage> stages() const { return {}; }
   [[nodiscard]] virtual std::vector<std::string> remarks() const { return {}; }
+  /// Why there is nothing to optimize, or not from this start: such a problem can be evaluated, but not fitted or
+  /// compared. Empty ordinarily.
+  [[nodiscard]] virtual std::string fit_refusal() const { return {}; }
   /// How the problem was made, as data: into the manifest of a store and what `nodal evaluate --json` prints. An empty
   /// table when there is nothing to say.
   [[nodiscard]] virtual Value details() const { return {}; }

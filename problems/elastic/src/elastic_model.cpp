@@ -45,6 +45,7 @@ ElasticModel::ElasticModel(Scene scene_of_problem)
     first_residual[l] = residual_count;
     residual_count += rows[l];
   }
+  if (!scene.has_reference) return;
   if (!(squared > 0.0))
     throw InputError("the reference displacement is zero wherever it counts: there is nothing to fit");
   if (!std::isfinite(squared)) throw InputError("the reference displacement is not finite; check stress and young");
@@ -53,6 +54,7 @@ ElasticModel::ElasticModel(Scene scene_of_problem)
 }
 
 double ElasticModel::cost_error(double cost, double error_squared) const noexcept {
+  if (!scene.has_reference) return 0.0;
   const double shift = std::sqrt(error_squared) / reference_norm;
   const double rounding = std::numeric_limits<double>::epsilon() * static_cast<double>(residual_count + 8);
   return shift * (std::sqrt(2.0 * cost) + 0.5 * shift) + rounding * cost;

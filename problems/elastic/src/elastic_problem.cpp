@@ -47,6 +47,8 @@ struct ElasticProblem::Data {
   explicit Data(Scene scene) : model(std::move(scene)) {
     const double lower = std::log(model.scene.stiffness_bounds[0]), upper = std::log(model.scene.stiffness_bounds[1]);
     const double margin = kJustInside * (upper - lower);
+    start_stiffness = model.scene.initial_stiffness;
+    model.parameters.average(start_stiffness);
     std::vector<double> start(model.parameters.size());
     model.parameters.coordinates(model.scene.initial_stiffness, start);
     std::vector<Coordinate> coordinates;
@@ -56,6 +58,9 @@ struct ElasticProblem::Data {
       const double keep_off = outside ? margin : 0.0;
       const double inside = std::clamp(start[i], lower + keep_off, upper - keep_off);
       coordinates.push_back({model.parameters.name(i), lower, upper, inside});
+      if (outside && model.scene.fit_refusal.empty())
+        for (const std::size_t e : model.parameters.springs_of(i))
+          start_stiffness[e] = model.parameters.stiffness_at(inside);
     }
     space = Space(coordinates);
     // Part of the problem where values need it: trials, each in a process of its own, must not pay for it again.
@@ -64,6 +69,7 @@ struct ElasticProblem::Data {
 
   ElasticModel model;
   Space space;
+  std::vector<double> start_stiffness;
   std::size_t moved_starts = 0;
 };
 
@@ -78,13 +84,20 @@ Abilities ElasticProblem::abilities() const {
   return {.gradient = true, .residuals = true, .jacobian_products = true, .moves = true};
 }
 
+std::string ElasticProblem::fit_refusal() const { return scene().fit_refusal; }
+
+const std::vector<double>& ElasticProblem::start_stiffness() const noexcept { return data_->start_stiffness; }
+
 std::size_t ElasticProblem::residual_count() const { return data_->model.residual_count; }
 
 std::unique_ptr<Evaluator> ElasticProblem::make_evaluator() const {
   return std::make_unique<ElasticEvaluator>(data_->model);
 }
 
-std::optional<double> ElasticProblem::relative_error(double cost) const { return std::sqrt(2.0 * cost); }
+std::optional<double> ElasticProblem::relative_error(double cost) const {
+  if (!scene().has_reference) return std::nullopt;
+  return std::sqrt(2.0 * cost);
+}
 double ElasticProblem::quality(double cost) const {
   return std::sqrt(2.0 * cost) * data_->model.reference_norm * data_->model.displacement_unit;
 }
@@ -103,7 +116,7 @@ State ElasticProblem::solve(std::span<const double> stiffness) const {
   state.health = evaluator.health();
   if (!result.ok()) return state;
   state.quality = quality(result.cost);
-  state.relative_error = *relative_error(result.cost);
+  state.relative_error = relative_error(result.cost).value_or(0.0);
   const auto [softest, stiffest] = std::ranges::minmax(stiffness);
   state.health.spread = stiffest / softest;
   const double unit = data_->model.displacement_unit;
@@ -116,12 +129,17 @@ State ElasticProblem::solve(std::span<const double> stiffness) const {
       const std::span<const double> placed = equilibrium.displacement(l);
       // F^b = K u − F^e on the fixed freedoms, summed by springs.
       std::vector<double> force(group.freedoms(), 0.0);
-      for (std::size_t e = 0; e < group.springs(); ++e)
-        group.add_spring(e, stiffness[e] * group.elongation(e, placed.data()), force.data());
       LoadState& out = state.loads[group.loads()[l].index];
+      for (std::size_t e = 0; e < group.springs(); ++e) {
+        const double pull = stiffness[e] * group.elongation(e, placed.data());
+        group.add_spring(e, pull, force.data());
+        out.spring_force.push_back(pull * unit);
+      }
       out.name = load.name;
-      out.quality = std::sqrt(squared_error(group, l, placed.data())) * unit;
-      out.reference = load.reference;
+      if (scene().has_reference) {
+        out.quality = std::sqrt(squared_error(group, l, placed.data())) * unit;
+        out.reference = load.reference;
+      }
       out.displacement.resize(group.freedoms());
       for (std::size_t i = 0; i < group.freedoms(); ++i) out.displacement[i] = placed[group.place()[i]] * unit;
       out.supports = group.supports();
@@ -179,17 +197,22 @@ std::vector<Stage> ElasticProblem::stages() const {
       {"loads", true,
        fmt::format("{} load cases, {} support group{}{}", s.loads.loads.size(), s.loads.groups.size(),
                    s.loads.groups.size() == 1 ? "" : "s", s.supports_choice.empty() ? "" : ", " + s.supports_choice)},
-      {"analytic reference", s.measured_reference.empty(),
-       s.measured_reference.empty() ? "a homogeneous body under homogeneous stress: the closed form is exact"
-                                    : "the reference was measured"},
+      {"analytic reference", s.has_reference && s.measured_reference.empty(),
+       !s.has_reference               ? "a closed form is known for the plate's loads only"
+       : s.measured_reference.empty() ? "a homogeneous body under homogeneous stress: the closed form is exact"
+                                      : "the reference was measured"},
       {"measured reference", !s.measured_reference.empty(),
        s.measured_reference.empty() ? "no file is given" : s.measured_reference},
       {"finite-element reference", false,
-       s.measured_reference.empty() ? "the closed form holds" : "the reference was measured"},
+       !s.has_reference               ? "nodal has none"
+       : s.measured_reference.empty() ? "the closed form holds"
+                                      : "the reference was measured"},
       {"parameters", true,
        fmt::format("{}: {} coordinates (ln k) for {} springs", s.parameter_rule.name, parameters().size(),
                    parameters().springs())},
       {"initial stiffness", true, s.initial_rule},
+      {"bounds", true,
+       fmt::format("{:.6g} to {:.6g} N/m: {}", s.stiffness_bounds[0], s.stiffness_bounds[1], s.bounds_origin)},
       {"lanes", values_by_lanes(model),
        values_by_lanes(model)
            ? fmt::format("values of a race: all support groups in one factorization ({} kernels)",
@@ -218,7 +241,9 @@ std::vector<std::string> ElasticProblem::remarks() const {
   const double jacobian_mib = static_cast<double>(residual_count() * parameters().size()) * 8.0 / 1048576.0;
   remarks.push_back(fmt::format("{} residuals; factors hold {:.0f} entries ({:.2f} MiB), a dense Jacobian {:.2f} MiB",
                                 residual_count(), factor_entries, factor_entries * 8.0 / 1048576.0, jacobian_mib));
-  if (data_->moved_starts > 0)
+  if (!s.fit_refusal.empty())
+    remarks.push_back("it can be evaluated, but not fitted or compared: " + s.fit_refusal);
+  else if (data_->moved_starts > 0)
     remarks.push_back(fmt::format("the start of {} of {} coordinates was outside the bounds and moved just inside",
                                   data_->moved_starts, parameters().size()));
   const bool pulled = std::ranges::any_of(s.loads.loads, [](const LoadCase& load) {

@@ -210,6 +210,7 @@ std::vector<double> solved(Equilibrium& equilibrium, const std::vector<double>& 
 // u = u_0 + s u_1: what supports that move make of it, and what forces make at s = 1. Without such supports u_0 = 0;
 // with them u at half of s tells the two apart.
 double best_scale(const Scene& scene, const std::vector<double>& stiffness) {
+  if (!scene.has_reference) throw std::invalid_argument("scale = \"best\" needs a reference");
   const ElasticModel model(scene);
   double with_reference = 0.0, with_itself = 0.0;
   for (const auto& group : model.groups) {
@@ -242,6 +243,7 @@ double best_scale(const Scene& scene, const std::vector<double>& stiffness) {
 }
 
 std::vector<double> energy_stiffness(const Scene& scene, const std::array<double, 2>& bounds) {
+  if (!scene.has_reference) throw std::invalid_argument("the 'energy' rule needs a reference");
   for (const SupportGroup& group : scene.loads.groups)
     if (std::ranges::any_of(group.weights, [](double w) { return w == 0.0; }))
       throw std::invalid_argument(

@@ -59,6 +59,38 @@ TEST(Pruning, KeepsWhatTheNetNeedsToBeRigid) {
   }
 }
 
+// A good net whose diagonals happen to be at the bound: not all may go, and how many depends on what may be lost.
+TEST(Pruning, StopsWhereTheErrorWouldGrowTooMuch) {
+  const auto plate = make_plate({.bounds = "[0.36, 10.0]"});
+  std::vector<double> k(plate->net().springs.size(), 0.75);
+  for (std::size_t e = 0; e < k.size(); ++e) {
+    const Point& d = plate->net().springs[e].direction;
+    if (d[0] != 0.0 && d[1] != 0.0) k[e] = 0.36;
+  }
+  std::size_t fewer = 0;
+  for (const double loss : {0.0, 0.05, 1.0}) {
+    const Pruned pruned = prune(*plate, k, loss);
+    EXPECT_LE(pruned.pruned_quality, (1.0 + loss) * pruned.quality);
+    EXPECT_GE(pruned.removed.size(), fewer) << loss;
+    EXPECT_GT(pruned.kept_for_error, 0u) << loss;
+    EXPECT_NE(describe(pruned).find("kept because the error would grow too much"), std::string::npos);
+    fewer = pruned.removed.size();
+  }
+  EXPECT_GT(fewer, 0u);
+  EXPECT_GT(prune(*plate, k).removed.size(), fewer);
+}
+
+// Springs that were tied stay tied.
+TEST(Pruning, KeepsTies) {
+  const auto plate = make_plate({.parameters = "by-direction"});
+  std::vector<double> k(plate->net().springs.size(), 1.0);
+  for (std::size_t e = 0; e < k.size(); ++e)
+    if (plate->net().springs[e].direction[0] * plate->net().springs[e].direction[1] < 0.0) k[e] = kLower;
+  const Pruned pruned = prune(*plate, k);
+  EXPECT_EQ(pruned.removed.size(), 16u);
+  EXPECT_EQ(pruned.problem->parameters().size(), 3u);
+}
+
 TEST(Pruning, OfAFitThatHoldsNoSoftSpringChangesNothing) {
   const auto plate = make_plate();
   const std::vector<double> k(72, 0.5);

@@ -52,6 +52,7 @@ Entries<SpringEntry> read_spring_entries(const std::filesystem::path& path, cons
     SystemJson system = read_system_json(path, "spring file", options);
     if (!system.has_springs) refuse_without(path, "springs");
     entries.list = std::move(system.springs);
+    entries.bounds = system.bounds;
     return entries;
   }
   const CsvTable table(read_file(path, "spring file"), path.string(),

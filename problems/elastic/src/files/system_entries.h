@@ -3,6 +3,7 @@
 
 /// Nodes and springs as files list them, before they become a net.
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -33,7 +34,8 @@ struct SpringEntry {
 template <class Entry>
 struct Entries {
   std::vector<Entry> list;
-  std::string left_out;  ///< a remark on columns that were not read; empty without any
+  std::string left_out;                              ///< a remark on columns that were not read; empty without any
+  std::optional<std::array<double, 2>> bounds = {};  ///< of stiffnesses [N/m], where a system file says them
 };
 
 /// The nodes or springs of a file: JSON where its name ends in .json (system_json.h), else CSV.

@@ -2,6 +2,8 @@
 #include <nodal/elastic/elastic_problem.h>
 #include <nodal/elastic/stiffness.h>
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 namespace nodal::elastic {
@@ -16,6 +18,18 @@ std::string lines(std::size_t count, Write write) {
   return text + "]";
 }
 
+// A file has groups for all springs or for none: a spring on its own is a group of one, named by its nodes.
+std::vector<std::string> every_group(const ElasticProblem& problem) {
+  std::vector<std::string> groups;
+  for (std::size_t e = 0; e < problem.parameters().springs(); ++e) groups.push_back(problem.parameters().group_name(e));
+  if (std::ranges::all_of(groups, &std::string::empty)) return {};
+  const Net& net = problem.net();
+  for (std::size_t e = 0; e < groups.size(); ++e)
+    if (groups[e].empty())
+      groups[e] = fmt::format("({}, {})", net.id(net.springs[e].first), net.id(net.springs[e].second));
+  return groups;
+}
+
 }  // namespace
 
 std::string system_json(const Net& net, const std::vector<double>& stiffness, const SystemDetails& details) {
@@ -28,8 +42,7 @@ std::string system_json(const Net& net, const std::vector<double>& stiffness, co
     const Spring& s = net.springs[e];
     std::string entry = fmt::format("\"nodes\": [{}, {}], \"stiffness\": {}, \"length\": {}", net.id(s.first),
                                     net.id(s.second), stiffness.at(e), s.length);
-    if (!details.groups.empty() && !details.groups.at(e).empty())
-      entry += fmt::format(", \"group\": {}", to_json(Value(details.groups[e])));
+    if (!details.groups.empty()) entry += fmt::format(", \"group\": {}", to_json(Value(details.groups.at(e))));
     return entry;
   };
   std::string text = fmt::format("{{\"schema\": {},\n", kSystemSchema);
@@ -41,8 +54,7 @@ std::string system_json(const Net& net, const std::vector<double>& stiffness, co
 std::string system_json(const ElasticProblem& problem, const std::vector<double>& stiffness) {
   SystemDetails details;
   details.bounds = problem.scene().stiffness_bounds;
-  for (std::size_t e = 0; e < problem.parameters().springs(); ++e)
-    details.groups.push_back(problem.parameters().group_name(e));
+  details.groups = every_group(problem);
   return system_json(problem.net(), stiffness, details);
 }
 

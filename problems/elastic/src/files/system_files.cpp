@@ -113,6 +113,7 @@ SpringFile read_spring_file(const std::filesystem::path& path, Net& net, const T
   const double size = bounding_box(net.nodes).size();
   std::map<std::pair<std::size_t, std::size_t>, Source> seen;
   SpringFile file;
+  file.bounds = read.bounds;
   for (const SpringEntry& entry : entries) {
     const std::size_t i = names.find(entry.first, entry.source), j = names.find(entry.second, entry.source);
     if (i == j) throw InputError(entry.source, fmt::format("the spring joins node {} to itself", entry.first));

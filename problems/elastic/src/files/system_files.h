@@ -11,7 +11,9 @@
 /// TableOptions say what CSV columns are called, and in which unit the file's lengths are.
 /// Errors   InputError with file and line.
 
+#include <array>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,8 +29,9 @@ void read_node_file(const std::filesystem::path& path, Net& net, const TableOpti
 
 struct SpringFile {
   std::vector<Spring> springs;
-  std::vector<double> stiffness;    ///< [springs]; empty when the file has none
-  std::vector<std::string> groups;  ///< [springs]; empty when the file has none
+  std::vector<double> stiffness;                     ///< [springs]; empty when the file has none
+  std::vector<std::string> groups;                   ///< [springs]; empty when the file has none
+  std::optional<std::array<double, 2>> bounds = {};  ///< N/m, where a system file says them
 };
 
 /// Columns that are left out are added to the net's remarks.

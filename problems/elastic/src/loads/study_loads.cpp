@@ -97,6 +97,23 @@ void apply_measurements(const std::vector<MeasuredLoad>& measured, LoadSet& set)
   set = std::move(grouped);
 }
 
+// Without a reference a study can be solved, but nothing fitted. Loads go together as if all were known.
+void only_solved(const std::vector<OwnCase>& cases, const Source& source, Scene& scene) {
+  for (const OwnCase& one : cases)
+    if (!one.held_as_measured.empty())
+      throw InputError(one.source,
+                       fmt::format("load '{}' holds nodes as measured, and nothing says how they went; give "
+                                   "reference = {{ file = \"displacements.csv\" }}, or a 'displacement'",
+                                   one.name));
+  scene.has_reference = false;
+  scene.fit_refusal = InputError(source,
+                                 "cases of your own need reference = { file = \"displacements.csv\" }, the "
+                                 "displacements to be matched: a closed form is known for the plate's loads only")
+                          .what();
+  const std::vector<double> zero(2 * scene.net.nodes.size(), 0.0), all(zero.size(), 1.0);
+  apply_measurements(std::vector<MeasuredLoad>(cases.size(), {zero, all}), scene.loads);
+}
+
 std::string summary(const std::string& file, const std::vector<MeasuredLoad>& measured) {
   std::size_t known = 0, all = 0;
   for (const MeasuredLoad& load : measured) {
@@ -145,7 +162,7 @@ OptionSchema loads_fields() {
            "loads, rigid motions held (Figure 5)"},
       {.name = "cases",
        .type = OptionType::table_list,
-       .help = "load cases of your own; they need reference.file",
+       .help = "load cases of your own; to be fitted they need reference.file",
        .fields = case_fields()},
   };
 }
@@ -194,11 +211,7 @@ void read_loads(const Options& problem, const ProblemContext& context, Scene& sc
     if (method == "file")
       throw InputError(reference.values().source,
                        "method = \"file\" needs a file: reference = { file = \"displacements.csv\" }");
-    if (own)
-      throw InputError(
-          reference.values().source,
-          "cases of your own need reference = { file = \"displacements.csv\" }, the displacements to be matched: a "
-          "closed form is known for the plate's loads only");
+    if (own) only_solved(cases, reference.values().source, scene);
     return;
   }
   std::vector<std::string> names;

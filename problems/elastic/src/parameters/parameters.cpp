@@ -127,7 +127,12 @@ ParameterRule listed_rule(const Net& net, const std::vector<SpringGroup>& groups
 }
 
 Parameters::Parameters(const Net& net, const ParameterRule& rule, const std::array<double, 2>& bounds)
-    : bounds_(bounds), ln_bounds_{std::log(bounds[0]), std::log(bounds[1])} {
+    : bounds_(bounds) {
+  constexpr double kUlps = 4.0 * std::numeric_limits<double>::epsilon();
+  for (std::size_t side = 0; side < 2; ++side) {
+    ln_bounds_[side] = std::log(bounds[side]);
+    rounding_[side] = std::isfinite(ln_bounds_[side]) ? kUlps * std::max(1.0, std::abs(ln_bounds_[side])) : 0.0;
+  }
   // Coordinates in the order of their first springs. Rounded ranges may read the same: names are told apart by a
   // number.
   const Tied tied = tie(net, rule);
@@ -171,9 +176,9 @@ std::size_t Parameters::largest_group() const noexcept {
 }
 
 double Parameters::stiffness_at(double x) const noexcept {
-  if (x <= ln_bounds_[0]) return bounds_[0];
-  if (x >= ln_bounds_[1]) return bounds_[1];
-  return std::clamp(std::exp(x), bounds_[0], bounds_[1]);
+  for (std::size_t side = 0; side < 2; ++side)
+    if (std::abs(x - ln_bounds_[side]) <= rounding_[side]) return bounds_[side];
+  return std::exp(x);
 }
 
 void Parameters::stiffness(std::span<const double> coordinates, std::span<double> stiffness) const {

@@ -87,6 +87,7 @@ StudyNet read_net(const Options& problem, const ProblemContext& context, const B
     net.springs = std::move(file.springs);
     read.stiffness = std::move(file.stiffness);
     read.groups = std::move(file.groups);
+    read.bounds = file.bounds;
     return read;
   }
   const std::string topology = read_topology(problem);

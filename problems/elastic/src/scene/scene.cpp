@@ -15,6 +15,7 @@
 #include "lanes/lane_instructions.h"
 #include "loads/study_loads.h"
 #include "points/written_places.h"
+#include "scene/read_bounds.h"
 #include "scene/read_masses.h"
 #include "scene/read_net.h"
 #include "scene/read_parameters.h"
@@ -36,27 +37,20 @@ Material read_material(const Options& options) {
   return {material.number("young"), poisson, plane};
 }
 
-std::array<double, 2> read_bounds(const Options& springs, double unit) {
-  const std::vector<double> bounds = springs.numbers("bounds");
-  if (!(0.0 < bounds[0] && bounds[0] < bounds[1]))
-    throw InputError(
-        springs.at("bounds").source,
-        fmt::format("'bounds' is [{}, {}]; it must be [lower, upper] with 0 < lower < upper", bounds[0], bounds[1]));
-  const std::array<double, 2> scaled = {bounds[0] * unit, bounds[1] * unit};
-  if (!std::isnormal(scaled[0]) || !std::isnormal(scaled[1]))
-    throw InputError(springs.at("bounds").source, "'bounds' × young × thickness leaves the range of double precision");
-  return scaled;
-}
-
-// A start of the user's own is refused when it is outside the bounds; a rule's is moved inside (elastic_problem.cpp).
-void refuse_outside_bounds(const std::vector<double>& k, const Source& source, const Scene& scene) {
-  for (std::size_t e = 0; e < k.size(); ++e)
-    if (k[e] < scene.stiffness_bounds[0] || k[e] > scene.stiffness_bounds[1])
-      throw InputError(
-          source, fmt::format("the start's spring ({}, {}) has stiffness {}, outside the bounds [{}, {}]; "
-                              "change the file or 'bounds'",
-                              scene.net.id(scene.net.springs[e].first), scene.net.id(scene.net.springs[e].second), k[e],
-                              scene.stiffness_bounds[0], scene.stiffness_bounds[1]));
+// A start of the user's own may be evaluated outside the bounds, but not fitted from there; a rule's is moved inside
+// (elastic_problem.cpp). What decimal digits, exp and ln leave of a bound is at it.
+void require_within_bounds(const std::vector<double>& k, const Source& source, Scene& scene) {
+  constexpr double kRounding = 1e-12;
+  const auto [lower, upper] = scene.stiffness_bounds;
+  for (std::size_t e = 0; e < k.size() && scene.fit_refusal.empty(); ++e) {
+    if (lower * (1.0 - kRounding) <= k[e] && k[e] <= upper * (1.0 + kRounding)) continue;
+    const Spring& spring = scene.net.springs[e];
+    const InputError refusal(source, fmt::format("the start's spring ({}, {}) has stiffness {}, outside the bounds "
+                                                 "[{}, {}] ({}); change the file or springs = {{ bounds = … }}",
+                                                 scene.net.id(spring.first), scene.net.id(spring.second), k[e], lower,
+                                                 upper, scene.bounds_origin));
+    scene.fit_refusal = refusal.what();
+  }
 }
 
 std::vector<double> stiffness_by_rule(const std::string& rule, const Source& source, const Scene& scene) {
@@ -96,9 +90,13 @@ void read_default_start(const Options& springs, const std::vector<double>& of_fi
   if (!of_file.empty()) {
     scene.initial_rule = "as the file of springs says";
     scene.initial_stiffness = of_file;
-    refuse_outside_bounds(of_file, springs.at("file").source, scene);
+    require_within_bounds(of_file, springs.at("file").source, scene);
     return;
   }
+  if (springs.has("file") && !scene.has_reference)
+    throw InputError(springs.at("file").source,
+                     "the springs have no stiffness, and there is no reference to find it by; give the file a column "
+                     "'stiffness', or springs = { initial = { file = \"stiffness.json\" } }");
   scene.initial_rule = "paper";
   scene.initial_stiffness = paper_stiffness(scene.net, scene.material);
   if (is_the_papers_plate(scene.net) && !springs.has("file")) return;
@@ -126,7 +124,7 @@ void read_start(const Options& springs, const ProblemContext& context, const std
     if (table.has("scale")) throw InputError(initial.source, "'scale' belongs to a rule; a file is taken as it is");
     scene.initial_rule = "file " + table.text("file");
     scene.initial_stiffness = read_stiffness_file(context.directory / table.text("file"), scene.net);
-    refuse_outside_bounds(scene.initial_stiffness, initial.source, scene);
+    require_within_bounds(scene.initial_stiffness, initial.source, scene);
     return;
   }
   scene.initial_rule = table.text("rule");
@@ -239,14 +237,15 @@ Scene make_scene(const Options& options, const ProblemContext& context) {
   if (scene.weights.inner + scene.weights.border + scene.weights.corner <= 0.0)
     throw InputError(options.table("quality").at("weights").source, "all weights are 0: nothing would be fitted");
   const Options reference = options.table("reference");
-  require_something_to_fit(scene, options.table("quality").at("weights").source,
-                           reference.has("file") ? reference.at("file").source : reference.values().source);
+  if (scene.has_reference)
+    require_something_to_fit(scene, options.table("quality").at("weights").source,
+                             reference.has("file") ? reference.at("file").source : reference.values().source);
   scene.solver = options.table("equilibrium").text("method");
 
   const Options springs = options.table("springs");
   scene.parameter_rule = read_parameters(springs.at("parameters"), scene.net, study.groups);
   scene.moves = read_moves(options.table("moves"), scene);
-  scene.stiffness_bounds = read_bounds(springs, scene.material.young * body.thickness);
+  read_bounds(springs, context, study, scene);
   read_start(springs, context, study.stiffness, scene);
   scene.files_hash = hash_files(options, context);
   return scene;

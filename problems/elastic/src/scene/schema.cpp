@@ -17,12 +17,6 @@ namespace elastic {
 
 namespace {
 
-Value numbers(std::initializer_list<double> values) {
-  Value::List list;
-  for (const double value : values) list.emplace_back(value);
-  return Value(list);
-}
-
 OptionSchema material_fields() {
   return {
       {.name = "young", .type = OptionType::number, .default_value = 1.0, .unit = "Pa", .minimum = 0.0,
@@ -41,7 +35,7 @@ OptionSchema initial_fields() {
       {.name = "scale", .type = OptionType::text, .choices = {"best"},
        .help = "best: times the single factor that makes the error least"},
       {.name = "file", .type = OptionType::text,
-       .help = "a stiffness file, relative to the study; refused when outside the bounds"},
+       .help = "a stiffness file, relative to the study; outside the bounds it can be evaluated, but not fitted"},
   };
 }
 
@@ -62,7 +56,8 @@ OptionSchema springs_fields() {
        .help = "rule of the start: paper k = E t s0/4; area (Van Gelder); lattice, exact at ν = 1/3; energy, the minimiser "
                "of a convex energy; or a table with 'rule' and 'scale', or with 'file'",
        .fields = initial_fields(), .or_table = true},
-      {.name = "bounds", .type = OptionType::number_list, .default_value = numbers({1e-4, 1e2}),
+      {.name = "bounds", .type = OptionType::number_list,
+       .default_text = "[1e-4, 1e2]; with a file of springs those of the file, or that times the geometric mean of its stiffnesses, or of the start at its best factor [N/m]",
        .unit = "young × thickness", .minimum = 0.0, .minimum_excluded = true, .length = 2,
        .help = "lowest and highest stiffness of a spring"},
   };

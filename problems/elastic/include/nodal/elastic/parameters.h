@@ -70,7 +70,7 @@ class Parameters {
   /// True when every coordinate moves one spring, in the same order.
   [[nodiscard]] bool one_to_one() const noexcept { return size() == springs(); }
 
-  /// exp(x) within the bounds, and a bound exactly where x is its logarithm or beyond.
+  /// exp(x), and a bound exactly where x is its logarithm to within rounding.
   [[nodiscard]] double stiffness_at(double x) const noexcept;
   /// k_e = stiffness_at(x_g).
   void stiffness(std::span<const double> coordinates, std::span<double> stiffness) const;
@@ -87,7 +87,7 @@ class Parameters {
   std::vector<std::size_t> members_;  // springs, coordinate by coordinate
   std::vector<std::size_t> first_;    // where a coordinate's members begin
   std::vector<std::string> names_;
-  std::array<double, 2> bounds_, ln_bounds_;
+  std::array<double, 2> bounds_, ln_bounds_, rounding_;  // how far from its logarithm a bound still is the bound
 };
 
 }  // namespace nodal::elastic

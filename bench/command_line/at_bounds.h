@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+/// How many coordinates a box has decided, in words.
+
+#include <span>
+#include <string>
+
+#include <nodal/space.h>
+
+namespace nodal {
+
+/// "3 of 72 coordinates at the lower bound, 1 at the upper"; "no coordinate at a bound". At is as in Space::at_bounds,
+/// and beyond counts as at.
+[[nodiscard]] std::string at_bounds_text(const Space& space, std::span<const double> x);
+
+}  // namespace nodal

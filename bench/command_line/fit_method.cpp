@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fit_method.h"
+
+#include <algorithm>
+#include <string_view>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <nodal/dense_matrix.h>
+
+namespace nodal {
+
+namespace {
+
+// Above this a dense Jacobian is slower than products with it (an elastic plate of 5 × 5 nodes has 0.1 MiB, 10 × 10
+// have 2 MiB and are fitted in a tenth of the time without).
+constexpr double kMostJacobianBytes = 0.5 * 1048576.0;
+
+StudyOptimizer with_defaults(const OptimizerDescription& description) {
+  StudyOptimizer optimizer;
+  optimizer.label = optimizer.use = description.name;
+  optimizer.options = resolve_options(description.options, Value(), "optimizer '" + description.name + "'");
+  optimizer.deterministic = description.deterministic;
+  return optimizer;
+}
+
+std::vector<StudyOptimizer> entries_using(const std::string& name, const Study& study) {
+  std::vector<StudyOptimizer> entries;
+  for (const StudyOptimizer& entry : study.optimizers)
+    if (entry.use == name) entries.push_back(entry);
+  return entries;
+}
+
+}  // namespace
+
+FitMethod choose_method(const Problem& problem, const Study& study, const Registry& registry) {
+  struct Candidate {
+    const char* name;
+    bool suits;
+    std::string why;
+  };
+  const double jacobian =
+      8.0 * static_cast<double>(problem.residual_count()) * static_cast<double>(problem.space().size());
+  const bool small = problem.abilities().residuals && jacobian <= kMostJacobianBytes;
+  const std::vector<Candidate> candidates = {
+      {"ceres-levenberg-marquardt", small,
+       fmt::format("least squares with a dense Jacobian of {:.1f} MiB", jacobian / 1048576.0)},
+      {"gauss-newton", problem.abilities().jacobian_products,
+       fmt::format("least squares by products, since a dense Jacobian would take {:.1f} MiB", jacobian / 1048576.0)},
+      {"nlopt-lbfgs", problem.abilities().gradient,
+       "gradients cost little, and the memory needed grows with the coordinates only"},
+      {"ceres-lbfgs", problem.abilities().gradient,
+       "gradients cost little, and the memory needed grows with the coordinates only"},
+      {"annealing", true, "it needs nothing but values"},
+      {"random-search", true, "it needs nothing but values"},
+  };
+  for (const Candidate& candidate : candidates) {
+    const OptimizerDescription* description = registry.find_optimizer(candidate.name);
+    if (!candidate.suits || !description || !problem.abilities().missing(description->needs).empty()) continue;
+    const std::vector<StudyOptimizer> entries = entries_using(candidate.name, study);
+    if (entries.empty()) return {with_defaults(*description), candidate.why};
+    return {entries.front(),
+            fmt::format("{}; with the options of the study's entry '{}'", candidate.why, entries.front().label)};
+  }
+  throw InputError("no optimizer of this build suits the problem; name one with --with");
+}
+
+FitMethod named_method(const std::string& name, const Study& study, const Registry& registry) {
+  for (const StudyOptimizer& optimizer : study.optimizers)
+    if (optimizer.label == name) return {optimizer, "the study's entry of that label"};
+  const std::vector<StudyOptimizer> entries = entries_using(name, study);
+  if (entries.size() == 1) return {entries.front(), "the study's entry that uses it"};
+  if (entries.size() > 1) {
+    std::vector<std::string> labels;
+    for (const StudyOptimizer& entry : entries) labels.push_back(entry.label);
+    throw InputError(Source{"--with", 0}, fmt::format("{} entries of the study use '{}'; take one by its label: {}",
+                                                      entries.size(), name, fmt::join(labels, ", ")));
+  }
+  if (const OptimizerDescription* description = registry.find_optimizer(name))
+    return {with_defaults(*description), "with its defaults"};
+  if (const AbsentDescription* absent = registry.find_absent(name))
+    throw InputError(Source{"--with", 0}, fmt::format("optimizer '{}' is not in this build: {}", name, absent->reason));
+  std::vector<std::string> names;
+  for (const StudyOptimizer& optimizer : study.optimizers) names.push_back(optimizer.label);
+  for (const OptimizerDescription& description : registry.optimizers())
+    if (std::ranges::find(names, description.name) == names.end()) names.push_back(description.name);
+  throw InputError(Source{"--with", 0}, fmt::format("'{}' is neither a label of the study nor an optimizer{}", name,
+                                                    name_hint(name, names)));
+}
+
+void refuse_what_it_lacks(const Problem& problem, const StudyOptimizer& optimizer, const Registry& registry) {
+  const OptimizerDescription& description = *registry.find_optimizer(optimizer.use);
+  const std::vector<std::string> missing = problem.abilities().missing(description.needs);
+  if (!missing.empty())
+    throw InputError(Source{"--with", 0}, fmt::format("optimizer '{}' needs {}, which the problem can't give",
+                                                      optimizer.label, fmt::join(missing, " and ")));
+  const std::string refusal = dense_matrix_refusal(description, problem, registry);
+  if (!refusal.empty())
+    throw InputError(Source{"--with", 0}, fmt::format("optimizer '{}' {}", optimizer.label, refusal));
+}
+
+namespace {
+
+// What the adapters say where their own number of iterations or evaluations ended a search (Ceres, NLopt, ours).
+constexpr std::string_view kOwnLimits[] = {"Maximum number of iterations", "number of evaluations is spent",
+                                           "own time is spent", "max_iterations done"};
+
+bool ran_into_own_limit(const TrialRecord& record) {
+  return std::ranges::any_of(kOwnLimits,
+                             [&](std::string_view limit) { return record.reason.find(limit) != std::string::npos; });
+}
+
+}  // namespace
+
+std::string ending_text(const TrialRecord& record, const Registry& registry) {
+  if (record.end == End::budget) return "stopped by its budget, not converged; more by --seconds or --evaluations";
+  if (record.end == End::target) return "stopped at its target";
+  if (record.end != End::finished) return std::string(to_string(record.end));
+  if (ran_into_own_limit(record)) return "stopped by the method's own limit, not converged";
+  const OptimizerDescription* description = registry.find_optimizer(record.use);
+  const bool descends = description && !description->needs.names().empty();
+  return descends ? "converged" : "done, which by this method proves no optimum";
+}
+
+}  // namespace nodal
