@@ -10,8 +10,8 @@
 
 namespace nodal {
 
-/// "3 of 72 coordinates at the lower bound, 1 at the upper"; "no coordinate at a bound". At is as in Space::at_bounds, and
-/// beyond counts as at.
+/// "3 of 72 coordinates at the lower bound, 1 at the upper"; "no coordinate at a bound". At is as in Space::at_bounds,
+/// and beyond counts as at.
 [[nodiscard]] std::string at_bounds_text(const Space& space, std::span<const double> x);
 
 }  // namespace nodal

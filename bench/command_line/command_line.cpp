@@ -125,10 +125,14 @@ void add_fit(CLI::App& app, const Registry& registry, int& exit) {
                   fit_command, registry, exit, to);
   add_study_path(command, to->study);
   add_problem_label(command, to->problem);
-  command.add_option("--with", to->with, "A label of the study, or any optimizer, with the options of the study's entry that uses it if there is one")->type_name("NAME");
-  const auto prune = command.add_flag(
-      "--prune", to->prune,
-      "Leave out springs at the lower bound that the net can do without, fit the others again, and say what that costs");
+  command
+      .add_option(
+          "--with", to->with,
+          "A label of the study, or any optimizer, with the options of the study's entry that uses it if there is one")
+      ->type_name("NAME");
+  const auto prune = command.add_flag("--prune", to->prune,
+                                      "Leave out springs at the lower bound that the net can do without, fit the "
+                                      "others again, and say what that costs");
   command
       .add_option("--prune-loss", to->prune_loss,
                   "How much larger --prune may make the error before the second fit, as a share of it (default: 0.01)")

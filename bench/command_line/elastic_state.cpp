@@ -109,9 +109,8 @@ std::string accuracy_text(const Health& health) {
 // What is compared with the reference: errors, and what a fit would make of these stiffnesses.
 std::string compared_text(const elastic::ElasticProblem& problem, std::span<const double> stiffness,
                           const elastic::State& state) {
-  std::string text =
-      fmt::format("relative error {:.6g}, G {:.10g}, k_max/k_min {:.4g}\n", state.relative_error, state.quality,
-                  state.health.spread.value_or(1.0));
+  std::string text = fmt::format("relative error {:.6g}, G {:.10g}, k_max/k_min {:.4g}\n", state.relative_error,
+                                 state.quality, state.health.spread.value_or(1.0));
   text += accuracy_text(state.health);
   std::vector<double> x(problem.parameters().size());
   problem.parameters().coordinates(stiffness, x);

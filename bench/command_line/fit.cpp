@@ -132,8 +132,7 @@ void prune_and_refit(const FitArguments& arguments, Study study, std::size_t pro
 // Exports and draws. False where it can't be drawn.
 bool write_system(const FitArguments& arguments, const std::string& label, const FittedSystem& fitted) {
   write_fitted(arguments, elastic::system_json(fitted.elastic(), fitted.stiffness));
-  return arguments.picture.empty() ||
-         write_picture(arguments, fitted.elastic(), fitted.stiffness, label, fitted.title);
+  return arguments.picture.empty() || write_picture(arguments, fitted.elastic(), fitted.stiffness, label, fitted.title);
 }
 
 // The point of a problem that the program knows nothing special of.

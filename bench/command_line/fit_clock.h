@@ -11,11 +11,11 @@
 
 namespace nodal {
 
-/// Shows "12 s of at most 60 s" once a second from a thread of its own, which sleeps otherwise; its end clears the line.
+/// Shows "12 s of at most 60 s" once a second from a thread of its own, which sleeps otherwise; its end clears the
+/// line.
 class FitClock {
  public:
-  FitClock(bool on_terminal, std::optional<double> seconds,
-           std::chrono::milliseconds period = std::chrono::seconds(1));
+  FitClock(bool on_terminal, std::optional<double> seconds, std::chrono::milliseconds period = std::chrono::seconds(1));
   ~FitClock();
   FitClock(const FitClock&) = delete;
   FitClock& operator=(const FitClock&) = delete;

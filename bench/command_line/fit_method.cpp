@@ -60,8 +60,8 @@ FitMethod choose_method(const Problem& problem, const Study& study, const Regist
     if (!candidate.suits || !description || !problem.abilities().missing(description->needs).empty()) continue;
     const std::vector<StudyOptimizer> entries = entries_using(candidate.name, study);
     if (entries.empty()) return {with_defaults(*description), candidate.why};
-    return {entries.front(), fmt::format("{}; with the options of the study's entry '{}'", candidate.why,
-                                         entries.front().label)};
+    return {entries.front(),
+            fmt::format("{}; with the options of the study's entry '{}'", candidate.why, entries.front().label)};
   }
   throw InputError("no optimizer of this build suits the problem; name one with --with");
 }
@@ -107,14 +107,14 @@ constexpr std::string_view kOwnLimits[] = {"Maximum number of iterations", "numb
                                            "own time is spent", "max_iterations done"};
 
 bool ran_into_own_limit(const TrialRecord& record) {
-  return std::ranges::any_of(kOwnLimits, [&](std::string_view limit) { return record.reason.find(limit) != std::string::npos; });
+  return std::ranges::any_of(kOwnLimits,
+                             [&](std::string_view limit) { return record.reason.find(limit) != std::string::npos; });
 }
 
 }  // namespace
 
 std::string ending_text(const TrialRecord& record, const Registry& registry) {
-  if (record.end == End::budget)
-    return "stopped by its budget, not converged; more by --seconds or --evaluations";
+  if (record.end == End::budget) return "stopped by its budget, not converged; more by --seconds or --evaluations";
   if (record.end == End::target) return "stopped at its target";
   if (record.end != End::finished) return std::string(to_string(record.end));
   if (ran_into_own_limit(record)) return "stopped by the method's own limit, not converged";

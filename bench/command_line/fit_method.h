@@ -16,13 +16,13 @@ struct FitMethod {
   std::string why;  ///< for people
 };
 
-/// What suits the problem: least squares, with a dense Jacobian while that is small, with products beyond; gradients where
-/// there are no residuals; else the paper's walk. With the options of the study's first entry that uses it, if there is
-/// one. InputError when nothing suits.
+/// What suits the problem: least squares, with a dense Jacobian while that is small, with products beyond; gradients
+/// where there are no residuals; else the paper's walk. With the options of the study's first entry that uses it, if
+/// there is one. InputError when nothing suits.
 [[nodiscard]] FitMethod choose_method(const Problem& problem, const Study& study, const Registry& registry);
 
-/// What --with names: a label of the study, else the one entry that uses a method of that name, else that method with its
-/// defaults. InputError when there is none, or several entries use it.
+/// What --with names: a label of the study, else the one entry that uses a method of that name, else that method with
+/// its defaults. InputError when there is none, or several entries use it.
 [[nodiscard]] FitMethod named_method(const std::string& name, const Study& study, const Registry& registry);
 
 /// InputError when the problem can't give what the method needs, or has no room for its matrix.

@@ -35,7 +35,8 @@ std::string why_not(const fs::path& path) {
     return ::access(target.c_str(), W_OK) == 0 ? "" : "it may not be written";
   const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
   if (!fs::is_directory(folder, error)) return fmt::format("there is no folder '{}'", folder.string());
-  if (::access(folder.c_str(), W_OK | X_OK) != 0) return fmt::format("the folder '{}' may not be written", folder.string());
+  if (::access(folder.c_str(), W_OK | X_OK) != 0)
+    return fmt::format("the folder '{}' may not be written", folder.string());
   return {};
 }
 
@@ -64,11 +65,12 @@ void refuse_no_picture(const std::string& option, const std::string& path) {
 void refuse_no_system(const std::string& option, const std::string& path) {
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
-  const bool special = path.starts_with("/dev/") ||
-                       (fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status));
+  const bool special =
+      path.starts_with("/dev/") || (fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status));
   if (!special && !ends_in(path, ".json"))
-    throw InputError(Source{option, 0},
-                     fmt::format("'{}' doesn't end in .json; what is fitted is written as JSON, e.g. fitted.json", path));
+    throw InputError(
+        Source{option, 0},
+        fmt::format("'{}' doesn't end in .json; what is fitted is written as JSON, e.g. fitted.json", path));
   refuse_unwritable(option, path);
 }
 

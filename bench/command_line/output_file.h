@@ -10,8 +10,8 @@ namespace nodal {
 /// InputError naming the option when replace_file (file.h) could not write there: a folder, a folder that is not there
 /// or may not be written, a device that may not. Devices and FIFOs are looked at, not opened: they would wait.
 void refuse_unwritable(const std::string& option, const std::string& path);
-/// The same for a picture, whose name must end in ".svg", in either case: so that no study or stiffness file is overwritten
-/// by one.
+/// The same for a picture, whose name must end in ".svg", in either case: so that no study or stiffness file is
+/// overwritten by one.
 void refuse_no_picture(const std::string& option, const std::string& path);
 /// The same for a system, whose name must end in ".json", in either case: whoever reads it, this program too, takes the
 /// format from it. What lies in /dev or is no regular file may have any name.

@@ -9,8 +9,8 @@
 
 namespace nodal {
 
-/// Displacements of nodes, forces of springs (positive where they pull) and of supports, with units; of each the first 100
-/// lines, and how many more `--json` has.
+/// Displacements of nodes, forces of springs (positive where they pull) and of supports, with units; of each the first
+/// 100 lines, and how many more `--json` has.
 [[nodiscard]] std::string state_tables(const elastic::Net& net, const elastic::LoadState& load);
 
 }  // namespace nodal

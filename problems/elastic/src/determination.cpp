@@ -12,8 +12,8 @@ namespace nodal::elastic {
 
 namespace {
 
-constexpr double kNull = 1e-9;        // of the largest singular value
-constexpr double kTakesPart = 1e-6;   // squared share of a coordinate in the null space; rounding leaves 1e-13
+constexpr double kNull = 1e-9;       // of the largest singular value
+constexpr double kTakesPart = 1e-6;  // squared share of a coordinate in the null space; rounding leaves 1e-13
 constexpr std::size_t kMostNames = 12;
 
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
@@ -79,7 +79,8 @@ Determination determine(const ElasticProblem& problem, std::span<const double> s
   if (!problem.scene().has_reference) return found;
   found.measured = count_measured(problem.scene());
   found.open = found.coordinates > found.measured ? found.coordinates - found.measured : 0;
-  const double residuals = static_cast<double>(problem.residual_count()), coordinates = static_cast<double>(found.coordinates);
+  const double residuals = static_cast<double>(problem.residual_count()),
+               coordinates = static_cast<double>(found.coordinates);
   if (residuals * coordinates * std::min(residuals, coordinates) > kMostDeterminationWork) return found;
   if (problem.solve(stiffness).status != Status::ok) return found;
   examine(jacobian_at(problem, stiffness), found);
@@ -91,17 +92,18 @@ std::string describe(const Determination& found, const ElasticProblem& problem) 
   std::string text = found.measured < found.coordinates
                          ? fmt::format("{} measured displacement{} can't determine {} stiffnesses", found.measured,
                                        found.measured == 1 ? "" : "s", found.coordinates)
-                         : fmt::format("the {} measured displacements don't determine all {} stiffnesses", found.measured,
-                                       found.coordinates);
+                         : fmt::format("the {} measured displacements don't determine all {} stiffnesses",
+                                       found.measured, found.coordinates);
   if (found.undetermined.empty()) return text;
   std::vector<std::string> names;
   for (const std::size_t i : found.undetermined)
     if (names.size() < kMostNames) names.push_back(coordinate_name(problem, i));
   const std::size_t more = found.undetermined.size() - names.size();
-  return text + fmt::format(": {} are arbitrary, {}{}: they can change, alone or together, and no displacement does; "
-                            "measure more, add loads, or tie springs by 'parameters'",
-                            found.undetermined.size(), fmt::join(names, ", "),
-                            more > 0 ? fmt::format(" and {} more", more) : "");
+  return text + fmt::format(
+                    ": {} are arbitrary, {}{}: they can change, alone or together, and no displacement does; "
+                    "measure more, add loads, or tie springs by 'parameters'",
+                    found.undetermined.size(), fmt::join(names, ", "),
+                    more > 0 ? fmt::format(" and {} more", more) : "");
 }
 
 }  // namespace nodal::elastic

@@ -232,13 +232,16 @@ const BadCall kBadCalls[] = {
      "'annealing-adaptive'?"},
     {"UnwritableExport",
      {"fit", "quick.toml", "--export", "no/where/fit.json"},
-     "--export: cannot write 'no/where/fit.json': there is no folder 'no/where'; give a file in a folder that exists and may be written"},
+     "--export: cannot write 'no/where/fit.json': there is no folder 'no/where'; give a file in a folder that exists "
+     "and may be written"},
     {"UnwritablePicture",
      {"fit", "quick.toml", "--picture", "no/where/fit.svg"},
-     "--picture: cannot write 'no/where/fit.svg': there is no folder 'no/where'; give a file in a folder that exists and may be written"},
+     "--picture: cannot write 'no/where/fit.svg': there is no folder 'no/where'; give a file in a folder that exists "
+     "and may be written"},
     {"UnwritablePictureOfTheStart",
      {"evaluate", "quick.toml", "--picture", "a_file/start.svg"},
-     "--picture: cannot write 'a_file/start.svg': there is no folder 'a_file'; give a file in a folder that exists and may be written"},
+     "--picture: cannot write 'a_file/start.svg': there is no folder 'a_file'; give a file in a folder that exists and "
+     "may be written"},
     {"PictureOverTheStudy",
      {"evaluate", "quick.toml", "--picture", "quick.toml"},
      "--picture: 'quick.toml' doesn't end in .svg; pictures are SVG files, e.g. plate.svg"},
@@ -264,10 +267,9 @@ TEST(BadStart, OutsideTheBoundsIsRefused) {
   folder.write("k.json", text);
   const Output output = run(folder, {"compare", "plate.toml"});
   EXPECT_EQ(output.exit, 2);
-  EXPECT_EQ(
-      output.err,
-      "nodal: plate.toml:11: the start's spring (0, 1) has stiffness 1000, outside the bounds [0.0001, 100] "
-      "([0.0001, 100] × young × thickness); change the file or springs = { bounds = … }\n");
+  EXPECT_EQ(output.err,
+            "nodal: plate.toml:11: the start's spring (0, 1) has stiffness 1000, outside the bounds [0.0001, 100] "
+            "([0.0001, 100] × young × thickness); change the file or springs = { bounds = … }\n");
 }
 
 }  // namespace

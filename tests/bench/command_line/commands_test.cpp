@@ -205,8 +205,8 @@ TEST(Fit, PrunesSpringsAtTheLowerBound) {
   folder.write("quick.toml", kQuickStudy);
   write_start(folder, "start.json", 1.0, 1e-4);
   folder.write("soft.toml", kQuickStudy + "[problem.springs]\ninitial = { file = \"start.json\" }\n");
-  const Output output = run(folder, {"fit", "soft.toml", "--with", "annealing", "--evaluations", "1", "--prune", "--prune-loss", "1e3",
-                                     "--export", "pruned.json", "--picture", "pruned.svg"});
+  const Output output = run(folder, {"fit", "soft.toml", "--with", "annealing", "--evaluations", "1", "--prune",
+                                     "--prune-loss", "1e3", "--export", "pruned.json", "--picture", "pruned.svg"});
   EXPECT_EQ(output.exit, 0) << output.err;
   const Value pruned = parse_json(read_file(folder.path() / "pruned.json"), "pruned.json");
   const std::size_t kept = pruned.at("springs").list().size();

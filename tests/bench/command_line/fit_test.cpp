@@ -33,11 +33,13 @@ std::string without_budget() {
 
 TEST(FitMethod, TakesTheOptionsOfTheStudysEntry) {
   const Folder folder;
-  folder.write("quick.toml", kQuickStudy + "label = \"mine\"\n[[optimizer]]\nuse = \"gauss-newton\"\nlabel = \"short\"\n"
-                                           "options = { max_iterations = 1 }\n");
+  folder.write("quick.toml", kQuickStudy +
+                                 "label = \"mine\"\n[[optimizer]]\nuse = \"gauss-newton\"\nlabel = \"short\"\n"
+                                 "options = { max_iterations = 1 }\n");
   const Output by_use = run(folder, {"fit", "quick.toml", "--with", "gauss-newton"});
   EXPECT_EQ(by_use.exit, 0) << by_use.err;
-  EXPECT_TRUE(contains(by_use.err, "with short: the study's entry that uses it; at most 300 evaluations, as the study says"))
+  EXPECT_TRUE(
+      contains(by_use.err, "with short: the study's entry that uses it; at most 300 evaluations, as the study says"))
       << by_use.err;
   EXPECT_TRUE(contains(by_use.err, "stopped by the method's own limit, not converged; k_max/k_min ")) << by_use.err;
   EXPECT_TRUE(contains(run(folder, {"fit", "quick.toml", "--with", "mine"}).err, "the study's entry of that label"));
@@ -59,7 +61,8 @@ TEST(FitBudget, IsSaid) {
                        "; at most 60 s, the default: --seconds or --evaluations give another\n"));
   const Output asked = run(folder, {"fit", "free.toml", "--with", "random-search", "--evaluations", "20"});
   EXPECT_TRUE(contains(asked.err, "; at most 20 evaluations, as asked for\n")) << asked.err;
-  EXPECT_TRUE(contains(asked.err, "\nstopped by its budget, not converged; more by --seconds or --evaluations; k_max/k_min "))
+  EXPECT_TRUE(
+      contains(asked.err, "\nstopped by its budget, not converged; more by --seconds or --evaluations; k_max/k_min "))
       << asked.err;
 }
 
@@ -111,7 +114,8 @@ TEST(FitPrune, KeepsWithinTheLimitAndFitsAgain) {
   const Folder folder;
   folder.write("narrow.toml", without_budget() + "[problem.springs]\nbounds = [0.39, 100]\n");
   const Output plain = run(folder, {"fit", "narrow.toml", "--with", "gauss-newton", "--export", "all.json"});
-  const Output tight = run(folder, {"fit", "narrow.toml", "--with", "gauss-newton", "--prune", "--export", "tight.json"});
+  const Output tight =
+      run(folder, {"fit", "narrow.toml", "--with", "gauss-newton", "--prune", "--export", "tight.json"});
   const Output loose = run(folder, {"fit", "narrow.toml", "--with", "gauss-newton", "--prune", "--prune-loss", "100",
                                     "--export", "loose.json"});
   EXPECT_EQ(tight.exit, 0) << tight.err;
@@ -151,14 +155,16 @@ TEST(FitExport, IsCheckedWithoutBeingOpened) {
   ASSERT_EQ(::mkfifo((folder.path() / "fifo.svg").c_str(), 0600), 0);
   const Output refused = run(folder, {"fit", "quick.toml", "--export", "fifo", "--picture", "no/where.svg"});
   EXPECT_EQ(refused.exit, 2);
-  EXPECT_EQ(refused.err,
-            "nodal: --picture: cannot write 'no/where.svg': there is no folder 'no'; give a file in a folder that exists "
-            "and may be written\n");
+  EXPECT_EQ(
+      refused.err,
+      "nodal: --picture: cannot write 'no/where.svg': there is no folder 'no'; give a file in a folder that exists "
+      "and may be written\n");
   EXPECT_EQ(run(folder, {"fit", "quick.toml", "--export", "new.json", "--picture", "no/where.svg"}).exit, 2);
   EXPECT_FALSE(std::filesystem::exists(folder.path() / "new.json"));
   EXPECT_TRUE(contains(run(folder, {"fit", "quick.toml", "--export", "."}).err, "--export: '.' doesn't end in .json"));
   std::filesystem::create_directory(folder.path() / "d.json");
-  EXPECT_TRUE(contains(run(folder, {"fit", "quick.toml", "--export", "d.json"}).err, "cannot write 'd.json': it is a folder"));
+  EXPECT_TRUE(
+      contains(run(folder, {"fit", "quick.toml", "--export", "d.json"}).err, "cannot write 'd.json': it is a folder"));
 }
 
 TEST(FitExport, FollowsLinks) {
@@ -178,10 +184,11 @@ void write_king_post(const Folder& folder) {
   folder.write("nodes.csv", "node,x,y\n1,0,0\n2,2.5,0\n3,2.5,2\n4,5,0\n");
   folder.write("pairs.csv", "first,second\n1,2\n1,3\n2,4\n3,2\n3,4\n");
   folder.write("displacements.csv", "node,ux,uy\n3,0.0,-0.0012011717319488785\n");
-  folder.write("king.toml",
-               "[problem]\nkind = \"elastic\"\npoints = { file = \"nodes.csv\" }\nsprings = { file = \"pairs.csv\" }\n"
-               "reference = { file = \"displacements.csv\" }\n[[problem.loads.cases]]\nname = \"snow\"\nsupports = [{ nodes "
-               "= [1, 4] }]\nforces = [{ nodes = [3], force = [0.0, -20.0] }]\n");
+  folder.write(
+      "king.toml",
+      "[problem]\nkind = \"elastic\"\npoints = { file = \"nodes.csv\" }\nsprings = { file = \"pairs.csv\" }\n"
+      "reference = { file = \"displacements.csv\" }\n[[problem.loads.cases]]\nname = \"snow\"\nsupports = [{ nodes "
+      "= [1, 4] }]\nforces = [{ nodes = [3], force = [0.0, -20.0] }]\n");
 }
 
 TEST(FitOwnSystem, EndsOffItsBoundsAndNamesWhatIsArbitrary) {
@@ -190,7 +197,8 @@ TEST(FitOwnSystem, EndsOffItsBoundsAndNamesWhatIsArbitrary) {
   const Output output = run(folder, {"fit", "king.toml", "--with", "gauss-newton", "--export", "f.json"});
   EXPECT_EQ(output.exit, 0) << output.err;
   EXPECT_TRUE(contains(output.err, "; no coordinate at a bound\n")) << output.err;
-  const std::string note = "note: 2 measured displacements can't determine 5 stiffnesses: 3 are arbitrary, (1, 2), (2, 4), (2, 3)";
+  const std::string note =
+      "note: 2 measured displacements can't determine 5 stiffnesses: 3 are arbitrary, (1, 2), (2, 4), (2, 3)";
   EXPECT_TRUE(contains(output.err, note)) << output.err;
   const Value springs = parse_json(read_file(folder.path() / "f.json"), "f.json").at("springs");
   EXPECT_NEAR(springs.list()[1].at("stiffness").number(), 21333.33587398359, 1e-6);
@@ -200,14 +208,16 @@ TEST(FitOwnSystem, EndsOffItsBoundsAndNamesWhatIsArbitrary) {
   EXPECT_EQ(state.at("undetermined").list().size(), 3u);
 }
 
-// What a fit writes is all that another study needs: the same groups, bounds, error, as points and springs and as a start.
+// What a fit writes is all that another study needs: the same groups, bounds, error, as points and springs and as a
+// start.
 TEST(FitOwnSystem, ComesBackFromItsExport) {
   const Folder folder;
   folder.write("nodes.csv", "node,x,y,mass\n1,0,0,1\n2,4,0,1\n3,2,3,2\n");
   folder.write("springs.csv", "first,second,stiffness,group\n1,2,5,chord\n1,3,5.5,leg\n2,3,5.5,leg\n");
   folder.write("disp.csv", "node,ux,uy\n3,0.1,-0.2\n");
   const std::string rest =
-      " }\nreference = { file = \"disp.csv\" }\n[[problem.loads.cases]]\nname = \"load\"\nsupports = [{ nodes = [1] }, { "
+      " }\nreference = { file = \"disp.csv\" }\n[[problem.loads.cases]]\nname = \"load\"\nsupports = [{ nodes = [1] }, "
+      "{ "
       "nodes = [2], fix = \"y\" }]\nforces = [{ nodes = [3], force = [0.373, -1.431] }]\n";
   const auto study = [&](const std::string& name, const std::string& points, const std::string& springs) {
     folder.write(name, "[problem]\nkind = \"elastic\"\npoints = { file = \"" + points +
@@ -246,11 +256,12 @@ TEST(FitOwnSystem, ComesBackFromItsExport) {
 void write_triangle(const Folder& folder) {
   folder.write("nodes.csv", "node,x,y\n1,0,0\n2,0,12\n3,10,0\n");
   folder.write("springs.csv", "first,second,stiffness\n1,2,300\n2,3,500\n3,1,100\n");
-  folder.write("solve.toml",
-               "[budget]\nevaluations = 10\n[[optimizer]]\nuse = \"random-search\"\n[problem]\nkind = \"elastic\"\npoints = "
-               "{ file = \"nodes.csv\" }\nsprings = { file = \"springs.csv\" }\n[[problem.loads.cases]]\nname = \"load\"\n"
-               "supports = [{ nodes = [1] }, { nodes = [2], fix = \"x\" }]\nforces = [{ nodes = [3], force = [0.0, 500.0] "
-               "}]\n");
+  folder.write(
+      "solve.toml",
+      "[budget]\nevaluations = 10\n[[optimizer]]\nuse = \"random-search\"\n[problem]\nkind = \"elastic\"\npoints = "
+      "{ file = \"nodes.csv\" }\nsprings = { file = \"springs.csv\" }\n[[problem.loads.cases]]\nname = \"load\"\n"
+      "supports = [{ nodes = [1] }, { nodes = [2], fix = \"x\" }]\nforces = [{ nodes = [3], force = [0.0, 500.0] "
+      "}]\n");
 }
 
 TEST(EvaluateOnlySolved, ShowsDisplacementsAndForces) {
@@ -258,9 +269,9 @@ TEST(EvaluateOnlySolved, ShowsDisplacementsAndForces) {
   write_triangle(folder);
   const Output text = run(folder, {"evaluate", "solve.toml", "--picture", "s.svg"});
   EXPECT_EQ(text.exit, 0) << text.err;
-  for (const char* line : {"no reference to compare with", "3        4.1666667        6.8333333",
-                           "2          3       -650.85414", "1          x       -416.66667", "1          y             -500",
-                           "2          x        416.66667"})
+  for (const char* line :
+       {"no reference to compare with", "3        4.1666667        6.8333333", "2          3       -650.85414",
+        "1          x       -416.66667", "1          y             -500", "2          x        416.66667"})
     EXPECT_TRUE(contains(text.out, line)) << line << text.out;
   const Value state = parse_json(run(folder, {"evaluate", "solve.toml", "--json"}).out, "stdout");
   EXPECT_EQ(state.find("quality"), nullptr);
@@ -277,7 +288,8 @@ TEST(EvaluateOnlySolved, CannotBeFittedOrCompared) {
   for (const char* command : {"fit", "compare"}) {
     const Output output = run(folder, {command, "solve.toml"});
     EXPECT_EQ(output.exit, 2) << command;
-    EXPECT_TRUE(contains(output.err, "cases of your own need reference = { file = \"displacements.csv\" }")) << output.err;
+    EXPECT_TRUE(contains(output.err, "cases of your own need reference = { file = \"displacements.csv\" }"))
+        << output.err;
   }
   EXPECT_FALSE(std::filesystem::exists(folder.path() / "results"));
   const Output explained = run(folder, {"explain", "solve.toml"});

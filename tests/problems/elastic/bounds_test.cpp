@@ -17,7 +17,8 @@
 namespace nodal::elastic {
 namespace {
 
-const std::vector<double> kBounds = {100.0, 10.0, 1e4, 5.0, 20.0, 50.0, 200.0, 1000.0, 1e-4, 0.3, 210e9 * 1e-3, 1e-9, 7.0, 1e12};
+const std::vector<double> kBounds = {100.0,  10.0, 1e4, 5.0,          20.0, 50.0, 200.0,
+                                     1000.0, 1e-4, 0.3, 210e9 * 1e-3, 1e-9, 7.0,  1e12};
 
 // The bounds that this test is about are those whose logarithm doesn't come back: there must be some of either kind.
 TEST(Bounds, ManyDoNotComeBackFromTheirLogarithm) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Systems that people bring: bounds about their own stiffnesses, a solve without a reference, springs that the data leave
-// open. Trusses small enough for closed forms.
+// Systems that people bring: bounds about their own stiffnesses, a solve without a reference, springs that the data
+// leave open. Trusses small enough for closed forms.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -26,9 +26,11 @@ class OwnSystem : public testing::Test {
   void write(const std::string& file, const std::string& text) { std::ofstream(directory_.path() / file) << text; }
 
   Study study(const std::string& problem) {
-    return parse_study("[study]\nname = \"own\"\n[budget]\nevaluations = 10\n[[optimizer]]\nuse = \"random-search\"\n"
-                       "[problem]\nkind = \"elastic\"\n" + problem,
-                       directory_.path() / "study.toml", components());
+    return parse_study(
+        "[study]\nname = \"own\"\n[budget]\nevaluations = 10\n[[optimizer]]\nuse = \"random-search\"\n"
+        "[problem]\nkind = \"elastic\"\n" +
+            problem,
+        directory_.path() / "study.toml", components());
   }
   std::shared_ptr<const ElasticProblem> read(const std::string& problem) { return as_elastic(study(problem)); }
   std::string refusal(const std::string& problem) {
@@ -39,11 +41,13 @@ class OwnSystem : public testing::Test {
   std::string king_post(const std::string& springs) {
     write("nodes.csv", "node,x,y\n1,0,0\n2,2.5,0\n3,2.5,2\n4,5,0\n");
     write("springs.csv",
-          "first,second,stiffness\n1,2,27320.0\n1,3,21333.33587398359\n2,4,27320.0\n3,2,34150.0\n3,4,21333.33587398359\n");
+          "first,second,stiffness\n1,2,27320.0\n1,3,21333.33587398359\n2,4,27320.0\n3,2,34150.0\n3,4,21333."
+          "33587398359\n");
     write("pairs.csv", "first,second\n1,2\n1,3\n2,4\n3,2\n3,4\n");
     write("displacements.csv", "node,ux,uy\n3,0.0,-0.0012011717319488785\n");
     return "points = { file = \"nodes.csv\" }\nsprings = { " + springs +
-           " }\nreference = { file = \"displacements.csv\" }\n[[problem.loads.cases]]\nname = \"snow\"\nsupports = [{ nodes = "
+           " }\nreference = { file = \"displacements.csv\" }\n[[problem.loads.cases]]\nname = \"snow\"\nsupports = [{ "
+           "nodes = "
            "[1, 4] }]\nforces = [{ nodes = [3], force = [0.0, -20.0] }]\n";
   }
 
@@ -81,7 +85,8 @@ TEST_F(OwnSystem, HasBoundsAboutItsStiffnesses) {
   }
 }
 
-// Springs without a stiffness: the paper's rule at its best factor is right for the two bars that the load is carried by.
+// Springs without a stiffness: the paper's rule at its best factor is right for the two bars that the load is carried
+// by.
 TEST_F(OwnSystem, WithoutStiffnessesHasBoundsAboutItsBestStart) {
   const auto truss = read(king_post("file = \"pairs.csv\""));
   const std::vector<double>& start = truss->start_stiffness();
@@ -103,9 +108,10 @@ TEST_F(OwnSystem, OutsideTheBoundsIsEvaluatedButNotFitted) {
   const std::string text = king_post("file = \"springs.csv\", bounds = [1, 100]");
   const auto truss = read(text);
   EXPECT_EQ(truss->start_stiffness()[3], 34150.0);
-  const std::string expected = directory_.path().string() +
-                               "/study.toml:10: the start's spring (1, 2) has stiffness 27320, outside the bounds [1, 100] "
-                               "([1, 100] × young × thickness); change the file or springs = { bounds = … }";
+  const std::string expected =
+      directory_.path().string() +
+      "/study.toml:10: the start's spring (1, 2) has stiffness 27320, outside the bounds [1, 100] "
+      "([1, 100] × young × thickness); change the file or springs = { bounds = … }";
   EXPECT_EQ(truss->fit_refusal(), expected);
   EXPECT_EQ(toy::message_of([&] { require_comparable(study(text)); }), expected);
   const TrialRecord record = run_trial(study(text), {0, 0, 0}, components());
@@ -117,7 +123,8 @@ TEST_F(OwnSystem, OutsideTheBoundsIsEvaluatedButNotFitted) {
 
 std::string solve_only(const std::string& more = "") {
   return "points = { file = \"nodes.csv\" }\nsprings = { file = \"springs.csv\" }\n" + more +
-         "[[problem.loads.cases]]\nname = \"load\"\nsupports = [{ nodes = [1] }, { nodes = [2], fix = \"x\" }]\nforces = "
+         "[[problem.loads.cases]]\nname = \"load\"\nsupports = [{ nodes = [1] }, { nodes = [2], fix = \"x\" }]\nforces "
+         "= "
          "[{ nodes = [3], force = [0.0, 500.0] }]\n";
 }
 
@@ -191,8 +198,10 @@ TEST_F(OwnSystem, WithoutForcesOneFactorIsOpen) {
   write("springs.csv", "first,second,stiffness\n1,2,2\n2,3,1\n1,4,3\n3,4,1\n2,4,2\n");
   write("displacements.csv", "node,ux,uy\n2,0.4,0.1\n4,0.3,0\n");
   const auto net = read(
-      "points = { file = \"nodes.csv\" }\nsprings = { file = \"springs.csv\" }\nreference = { file = \"displacements.csv\" "
-      "}\n[[problem.loads.cases]]\nname = \"a\"\nsupports = [{ nodes = [1] }, { nodes = [3], displacement = [1, 0.2] }]\n");
+      "points = { file = \"nodes.csv\" }\nsprings = { file = \"springs.csv\" }\nreference = { file = "
+      "\"displacements.csv\" "
+      "}\n[[problem.loads.cases]]\nname = \"a\"\nsupports = [{ nodes = [1] }, { nodes = [3], displacement = [1, 0.2] "
+      "}]\n");
   const Determination found = determine(*net, net->start_stiffness());
   EXPECT_EQ(found.measured, 4u);
   EXPECT_EQ(found.open, 1u);

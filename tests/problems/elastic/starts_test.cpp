@@ -190,9 +190,10 @@ TEST_F(StiffnessFile, OutsideTheBoundsIsEvaluatedButNotFitted) {
       "\"stiffness\": 1}, {\"nodes\": [1, 3], \"stiffness\": 1}, {\"nodes\": [2, 3], \"stiffness\": 1}]}");
   const auto plate =
       make_plate({.initial = "{ file = \"" + path_.string() + "\" }", .topology = "single", .counts = "[2, 2]"});
-  EXPECT_EQ(plate->fit_refusal(),
-            "plate.toml:8: the start's spring (0, 1) has stiffness 1000, outside the bounds [0.0001, 100] ([0.0001, 100] "
-            "× young × thickness); change the file or springs = { bounds = … }");
+  EXPECT_EQ(
+      plate->fit_refusal(),
+      "plate.toml:8: the start's spring (0, 1) has stiffness 1000, outside the bounds [0.0001, 100] ([0.0001, 100] "
+      "× young × thickness); change the file or springs = { bounds = … }");
   EXPECT_EQ(plate->start_stiffness(), (std::vector<double>{1000, 1, 1, 1, 1}));
 }
 

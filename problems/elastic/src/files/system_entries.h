@@ -34,7 +34,7 @@ struct SpringEntry {
 template <class Entry>
 struct Entries {
   std::vector<Entry> list;
-  std::string left_out;  ///< a remark on columns that were not read; empty without any
+  std::string left_out;                              ///< a remark on columns that were not read; empty without any
   std::optional<std::array<double, 2>> bounds = {};  ///< of stiffnesses [N/m], where a system file says them
 };
 

@@ -42,8 +42,7 @@ std::string system_json(const Net& net, const std::vector<double>& stiffness, co
     const Spring& s = net.springs[e];
     std::string entry = fmt::format("\"nodes\": [{}, {}], \"stiffness\": {}, \"length\": {}", net.id(s.first),
                                     net.id(s.second), stiffness.at(e), s.length);
-    if (!details.groups.empty())
-      entry += fmt::format(", \"group\": {}", to_json(Value(details.groups.at(e))));
+    if (!details.groups.empty()) entry += fmt::format(", \"group\": {}", to_json(Value(details.groups.at(e))));
     return entry;
   };
   std::string text = fmt::format("{{\"schema\": {},\n", kSystemSchema);

@@ -29,8 +29,8 @@ void read_node_file(const std::filesystem::path& path, Net& net, const TableOpti
 
 struct SpringFile {
   std::vector<Spring> springs;
-  std::vector<double> stiffness;    ///< [springs]; empty when the file has none
-  std::vector<std::string> groups;  ///< [springs]; empty when the file has none
+  std::vector<double> stiffness;                     ///< [springs]; empty when the file has none
+  std::vector<std::string> groups;                   ///< [springs]; empty when the file has none
   std::optional<std::array<double, 2>> bounds = {};  ///< N/m, where a system file says them
 };
 

@@ -101,9 +101,10 @@ void apply_measurements(const std::vector<MeasuredLoad>& measured, LoadSet& set)
 void only_solved(const std::vector<OwnCase>& cases, const Source& source, Scene& scene) {
   for (const OwnCase& one : cases)
     if (!one.held_as_measured.empty())
-      throw InputError(one.source, fmt::format("load '{}' holds nodes as measured, and nothing says how they went; give "
-                                               "reference = {{ file = \"displacements.csv\" }}, or a 'displacement'",
-                                               one.name));
+      throw InputError(one.source,
+                       fmt::format("load '{}' holds nodes as measured, and nothing says how they went; give "
+                                   "reference = {{ file = \"displacements.csv\" }}, or a 'displacement'",
+                                   one.name));
   scene.has_reference = false;
   scene.fit_refusal = InputError(source,
                                  "cases of your own need reference = { file = \"displacements.csv\" }, the "

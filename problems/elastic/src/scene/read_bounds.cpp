@@ -68,7 +68,8 @@ void read_bounds(const Options& springs, const ProblemContext& context, const St
   const Source& source = given ? springs.at("bounds").source : springs.values().source;
   if (given || !own) {
     const std::array<double, 2> bounds = given ? of_study(springs) : kDefault;
-    scene.stiffness_bounds = times(bounds, scene.material.young * scene.net.body.thickness, source, "young × thickness");
+    scene.stiffness_bounds =
+        times(bounds, scene.material.young * scene.net.body.thickness, source, "young × thickness");
     scene.bounds_origin = fmt::format("[{}, {}] × young × thickness", bounds[0], bounds[1]);
     return;
   }

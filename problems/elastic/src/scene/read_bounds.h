@@ -16,7 +16,8 @@
 
 namespace nodal::elastic {
 
-/// Fills bounds and their origin in a scene whose net, loads and material are there. InputError for bounds that are none.
+/// Fills bounds and their origin in a scene whose net, loads and material are there. InputError for bounds that are
+/// none.
 void read_bounds(const Options& springs, const ProblemContext& context, const StudyNet& study, Scene& scene);
 
 }  // namespace nodal::elastic

@@ -17,8 +17,8 @@ namespace nodal::elastic {
 /// A net, and what a file of springs knows beyond it.
 struct StudyNet {
   Net net;
-  std::vector<double> stiffness;    ///< [springs]; empty unless the file has them
-  std::vector<std::string> groups;  ///< [springs]; empty unless the file has them
+  std::vector<double> stiffness;                     ///< [springs]; empty unless the file has them
+  std::vector<std::string> groups;                   ///< [springs]; empty unless the file has them
   std::optional<std::array<double, 2>> bounds = {};  ///< N/m; those that the file says, if any
 };
 

@@ -23,17 +23,18 @@ namespace nodal::elastic {
 inline constexpr double kMostDeterminationWork = 3e7;
 
 struct Determination {
-  bool examined = false;                  ///< false when J is too large, or there is no equilibrium here
-  std::size_t measured = 0;               ///< residuals with a weight
+  bool examined = false;     ///< false when J is too large, or there is no equilibrium here
+  std::size_t measured = 0;  ///< residuals with a weight
   std::size_t coordinates = 0;
-  std::size_t open = 0;                   ///< dimension of the null space; what the numbers alone say where not examined
+  std::size_t open = 0;  ///< dimension of the null space; what the numbers alone say where not examined
   std::vector<std::size_t> undetermined;  ///< coordinates, ascending
 };
 
 /// std::invalid_argument for a wrong number of stiffnesses. Of a problem without a reference nothing is asked.
 [[nodiscard]] Determination determine(const ElasticProblem& problem, std::span<const double> stiffness);
 
-/// "19 measured displacements can't determine 24 stiffnesses: …", with the springs named; empty when all are determined.
+/// "19 measured displacements can't determine 24 stiffnesses: …", with the springs named; empty when all are
+/// determined.
 [[nodiscard]] std::string describe(const Determination& determination, const ElasticProblem& problem);
 
 }  // namespace nodal::elastic

@@ -40,14 +40,14 @@ struct Scene {
   LoadSet loads;
   Weights weights;
   ParameterRule parameter_rule;
-  std::vector<double> initial_stiffness;        ///< [springs], before tying and before moving inside the bounds
+  std::vector<double> initial_stiffness;  ///< [springs], before tying and before moving inside the bounds
   std::array<double, 2> stiffness_bounds = {0.0, std::numeric_limits<double>::infinity()};  ///< N/m
-  std::string bounds_origin;                    ///< who chose them, for `explain`
-  bool has_reference = true;  ///< false: only to be solved, there is nothing to compare displacements with
-  std::string fit_refusal;    ///< why it can be evaluated, but not fitted; empty ordinarily
-  std::string initial_rule;                     ///< for `explain`
-  std::string solver = "auto";                  ///< auto | lanes | simplicial | supernodal
-  double stress = 1.0;                          ///< of the plate loads
+  std::string bounds_origin;       ///< who chose them, for `explain`
+  bool has_reference = true;       ///< false: only to be solved, there is nothing to compare displacements with
+  std::string fit_refusal;         ///< why it can be evaluated, but not fitted; empty ordinarily
+  std::string initial_rule;        ///< for `explain`
+  std::string solver = "auto";     ///< auto | lanes | simplicial | supernodal
+  double stress = 1.0;             ///< of the plate loads
   Value masses;                    ///< how well the net's masses have the body's moments; an empty table without masses
   std::string files_hash;          ///< of the contents of all files that the scene was read from; empty without any
   std::string measured_reference;  ///< where the reference comes from, for `explain`; empty for the closed form
@@ -75,7 +75,7 @@ struct LoadState {
 
 struct State {
   Status status = Status::invalid_input;
-  std::string message;  ///< for another status than ok: what is wrong, with the node or spring
+  std::string message;                         ///< for another status than ok: what is wrong, with the node or spring
   double quality = 0.0, relative_error = 0.0;  ///< both 0 without a reference
   std::vector<LoadState> loads;
   Health health;
@@ -106,8 +106,8 @@ class ElasticProblem final : public Problem {
   [[nodiscard]] const Parameters& parameters() const noexcept;
   /// [springs] at a point of the space.
   [[nodiscard]] std::vector<double> stiffness(std::span<const double> x) const;
-  /// [springs] as the study starts: tied, but where its own files say them, whatever the bounds. A start that a rule puts
-  /// outside the bounds is the one moved inside.
+  /// [springs] as the study starts: tied, but where its own files say them, whatever the bounds. A start that a rule
+  /// puts outside the bounds is the one moved inside.
   [[nodiscard]] const std::vector<double>& start_stiffness() const noexcept;
   /// The refined equilibrium at any stiffnesses, bounds or not: what `evaluate` and the pictures show.
   [[nodiscard]] State solve(std::span<const double> stiffness) const;

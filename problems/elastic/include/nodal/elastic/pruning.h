@@ -4,8 +4,8 @@
 /// Leaves out springs that a fit has driven to the lower bound: they hold next to nothing, and a simulator needn't
 /// compute them.
 ///
-/// A spring is removed when its stiffness is within a share of the lower bound, the net stays rigid under every group of
-/// supports without it, and the error grows by no more than a limit. Those go first that hold the least energy.
+/// A spring is removed when its stiffness is within a share of the lower bound, the net stays rigid under every group
+/// of supports without it, and the error grows by no more than a limit. Those go first that hold the least energy.
 /// Shapes   stiffness: [springs]. Units    N/m.
 /// Cost     a few sparse QRs; where some of the springs must stay, about log2(springs) for each of those, and all of it
 ///          about log2(springs) times where the limit is met before the last of them.
@@ -33,8 +33,8 @@ struct Pruned {
   double pruned_quality = 0.0, pruned_relative_error = 0.0;  ///< with those that stay
 };
 
-/// `most_loss`: how much larger G may become, as a share of G. std::invalid_argument for a wrong size; InputError when the
-/// system has no equilibrium at these stiffnesses.
+/// `most_loss`: how much larger G may become, as a share of G. std::invalid_argument for a wrong size; InputError when
+/// the system has no equilibrium at these stiffnesses.
 [[nodiscard]] Pruned prune(const ElasticProblem& problem, std::span<const double> stiffness,
                            double most_loss = std::numeric_limits<double>::infinity());
 

@@ -46,8 +46,8 @@ inline constexpr int kSystemSchema = 1;
 ///     {"schema": 1, "bounds": [lower, upper],
 ///      "nodes": [{"node": i, "x": x, "y": y, "mass": m}, …],
 ///      "springs": [{"nodes": [i, j], "stiffness": k, "length": L, "group": "chord"}, …]}
-/// "mass" only where the net has masses. Units    m, kg, N/m. Numbers have all digits that a double has. A study can read
-/// it back as points, springs and start; docs/your_own_system.md has every key.
+/// "mass" only where the net has masses. Units    m, kg, N/m. Numbers have all digits that a double has. A study can
+/// read it back as points, springs and start; docs/your_own_system.md has every key.
 [[nodiscard]] std::string system_json(const Net& net, const std::vector<double>& stiffness,
                                       const SystemDetails& details = {});
 
