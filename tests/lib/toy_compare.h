@@ -46,7 +46,7 @@ inline void scribble_into_all() {
 inline void take_a_nap() {
   const pid_t self = ::getpid();
   if (::fork() == 0) {
-    ::usleep(150000);
+    ::usleep(400000);  // several looks of the parent
     ::kill(self, SIGCONT);
     ::_exit(0);
   }
