@@ -127,6 +127,7 @@ TEST_F(SmallSystem, AdviceCanBePasted) {
       EXPECT_EQ(pasted, "(nothing was thrown)") << message;
     }
   }
+  write("springs.csv", "first,second,stiffness\n1,2,1\n1,3,1\n2,3,1\n");
   const std::string message = refusal(none + own);
   const std::size_t begin = message.find("supports = ["), end = message.find(" does", begin);
   ASSERT_NE(end, std::string::npos) << message;
