@@ -3,13 +3,12 @@
 
 #include <unistd.h>
 
-#include <algorithm>
-#include <cctype>
 #include <filesystem>
 
 #include <fmt/format.h>
 
 #include <nodal/error.h>
+#include <nodal/file.h>
 
 namespace nodal {
 
@@ -40,12 +39,6 @@ std::string why_not(const fs::path& path) {
   return {};
 }
 
-bool ends_in(const std::string& path, const std::string& ending) {
-  std::string extension = fs::path(path).extension().string();
-  std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return std::tolower(c); });
-  return extension == ending;
-}
-
 }  // namespace
 
 void refuse_unwritable(const std::string& option, const std::string& path) {
@@ -56,7 +49,7 @@ void refuse_unwritable(const std::string& option, const std::string& path) {
 }
 
 void refuse_no_picture(const std::string& option, const std::string& path) {
-  if (!ends_in(path, ".svg"))
+  if (extension_of(path) != ".svg")
     throw InputError(Source{option, 0},
                      fmt::format("'{}' doesn't end in .svg; pictures are SVG files, e.g. plate.svg", path));
   refuse_unwritable(option, path);
@@ -67,7 +60,7 @@ void refuse_no_system(const std::string& option, const std::string& path) {
   const fs::file_status status = fs::status(path, error);
   const bool special =
       path.starts_with("/dev/") || (fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status));
-  if (!special && !ends_in(path, ".json"))
+  if (!special && extension_of(path) != ".json")
     throw InputError(
         Source{option, 0},
         fmt::format("'{}' doesn't end in .json; what is fitted is written as JSON, e.g. fitted.json", path));

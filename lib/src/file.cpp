@@ -90,6 +90,12 @@ std::string read_file(const fs::path& path, std::string_view what, std::uintmax_
   return Reading(path, what).text(most);
 }
 
+std::string extension_of(const fs::path& path) {
+  std::string extension = path.extension().string();
+  for (char& c : extension) c = 'A' <= c && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  return extension;
+}
+
 void replace_file(const fs::path& path, std::string_view content) {
   struct stat status {};
   if (::stat(path.c_str(), &status) != 0) {

@@ -112,6 +112,12 @@ TEST_F(File, ThatIsADeviceIsWrittenToAndStaysOne) {
   EXPECT_TRUE(message.starts_with("cannot write '/dev/full': No space left on device")) << message;
 }
 
+TEST(Extension, IsTheSameInCapitals) {
+  EXPECT_EQ(extension_of("a/Fitted.JSON"), ".json");
+  EXPECT_EQ(extension_of("fitted.tar.Gz"), ".gz");
+  EXPECT_EQ(extension_of("fitted"), "");
+}
+
 TEST_F(File, InAFolderThatIsNotThereIsRefused) {
   const std::string path = (folder() / "none" / "f").string();
   const std::string message = message_of<StoreError>([&] { replace_file(path, "text"); });

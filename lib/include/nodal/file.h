@@ -24,6 +24,9 @@ inline constexpr std::uintmax_t kLargestInput = std::uintmax_t{1} << 28;
 [[nodiscard]] std::string read_file(const std::filesystem::path& path, std::string_view what,
                                     std::uintmax_t most = kLargestInput);
 
+/// What a name ends in, from its last dot on, in lower case: ".json" of "Fitted.JSON", whose kind is the same.
+[[nodiscard]] std::string extension_of(const std::filesystem::path& path);
+
 /// Replaces the file, or makes it. It is on the disk when this returns. StoreError "cannot write '<path>': <why>"; then
 /// what was there before still is.
 void replace_file(const std::filesystem::path& path, std::string_view content);

@@ -22,8 +22,7 @@ void require_closed(const Ring& ring, std::size_t number, const Source& source) 
 }
 
 FileOutline read_outline_file(const std::filesystem::path& path) {
-  std::string extension = path.extension().string();
-  for (char& c : extension) c = 'A' <= c && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  const std::string extension = extension_of(path);
   const bool wkt = extension == ".wkt";
   if (!wkt && extension != ".geojson" && extension != ".json")
     throw InputError({path.string(), 0}, fmt::format("an outline file must end in .wkt, .geojson or .json, not in '{}'",

@@ -11,7 +11,7 @@ namespace nodal::elastic {
 
 namespace {
 
-bool is_json(const std::filesystem::path& path) { return path.extension() == ".json"; }
+bool is_json(const std::filesystem::path& path) { return extension_of(path) == ".json"; }
 
 SystemJson read_system_json(const std::filesystem::path& path, const char* what, const TableOptions& options) {
   if (!options.columns.names.empty())

@@ -10,7 +10,7 @@
 namespace nodal::elastic {
 
 /// [bytes] of a problem and one evaluator, by n log n for each group of supports, as factors of plane nets grow. Measured
-/// on crossed grids of 10⁴ to 9·10⁴ nodes under 1 and 4 groups, within a fifth; of nets with fewer springs it is less.
+/// on crossed grids of 10⁴ to 9·10⁴ nodes under 1 and 4 groups, within a quarter; of nets with fewer springs it is less.
 [[nodiscard]] double memory_need(std::size_t nodes, std::size_t groups);
 
 /// InputError at `source` when a net needs more than three quarters of `memory` bytes.
