@@ -28,7 +28,8 @@ struct FitMethod {
 /// InputError when the problem can't give what the method needs, or has no room for its matrix.
 void refuse_what_it_lacks(const Problem& problem, const StudyOptimizer& optimizer, const Registry& registry);
 
-/// "converged", "stopped by its budget; …", "stopped by its own limit of iterations", …: how a fit ended.
+/// "converged", "stopped by its budget, …", "stopped by the method's own limit, …", …: how a fit ended. The limits are known
+/// by what the adapters say in the record's reason.
 [[nodiscard]] std::string ending_text(const TrialRecord& record, const Registry& registry);
 
 }  // namespace nodal

@@ -63,9 +63,10 @@ struct ReportData {
   std::map<std::string, std::string> pictures;  ///< HTML by problem, filled by the caller
 };
 
-/// Merges the stores: of two records with one key the first counts; problems and optimizers stand in the order in which
-/// the manifests name them. A store's records that its current study doesn't ask for (other budgets or seeds) are left
-/// out, with a warning. InputError when stores mean different problems by one label: their figures don't compare.
+/// Merges the stores: of two stores' records with one key that of the first store counts; problems and optimizers stand
+/// in the order in which the manifests name them. A store's records that its current study doesn't ask for (other
+/// budgets or seeds) are left out, with a warning. InputError when stores mean different problems by one label: their
+/// figures don't compare.
 [[nodiscard]] ReportData collect(std::span<const Store> stores);
 
 }  // namespace nodal::report

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <nodal/compare.h>
 
+#include <sched.h>
+
 #include <algorithm>
 #include <deque>
 #include <thread>
@@ -22,6 +24,14 @@ using Clock = RunningTrials::Clock;
 
 // Some tools stop and continue processes all the time to slow them down: their trials must end, too.
 constexpr int kMostStops = 3;
+
+// Those of this process's mask (taskset, cpusets); std::thread::hardware_concurrency counts the machine's.
+std::int64_t allowed_cores() {
+  cpu_set_t mask;
+  CPU_ZERO(&mask);
+  if (::sched_getaffinity(0, sizeof mask, &mask) == 0) return std::max(1, CPU_COUNT(&mask));
+  return std::max(1u, std::thread::hardware_concurrency());  // more than the mask has room for
+}
 
 class Comparison {
  public:
@@ -82,7 +92,7 @@ class Comparison {
     conditions_.build = build_id(here);
     conditions_.processor = here.at("processor").text();
     conditions_.jobs = static_cast<std::int64_t>(std::min(jobs, std::max<std::size_t>(1, missing_.size())));
-    conditions_.cores = std::max(1u, std::thread::hardware_concurrency());
+    conditions_.cores = allowed_cores();
   }
 
   void look_for_others() {

@@ -89,16 +89,16 @@ Value::List runs_of(const Value& before, const Value& here) {
   return runs;
 }
 
-std::string text_in(const Value& table, const char* key) {
-  const Value* text = table.is_table() ? table.find(key) : nullptr;
-  return text && text->is_text() ? text->text() : std::string();
-}
-
 fs::path file_of(const Value& study) {
   return fs::path(text_in(study, "directory")) / fs::path(text_in(study, "file")).filename();
 }
 
 }  // namespace
+
+std::string text_in(const Value& table, const char* key) {
+  const Value* text = table.is_table() ? table.find(key) : nullptr;
+  return text && text->is_text() ? text->text() : std::string();
+}
 
 Value make_manifest(const Study& study, const Value& before, const Value& here) {
   Value manifest;

@@ -3,12 +3,17 @@
 
 /// What a store's manifest.json says (store.h has its shape).
 
+#include <string>
+
 #include <nodal/study.h>
 #include <nodal/value.h>
 
 namespace nodal {
 
 inline constexpr int kManifestSchema = 1;
+
+/// The text under a key; empty where there is none, or no table.
+[[nodiscard]] std::string text_in(const Value& table, const char* key);
 
 /// The manifest of a study that is about to run: `before` is the one that stood there, whose runs are kept, `here` the
 /// provenance of the run that begins.

@@ -11,14 +11,11 @@
 
 #include <nodal/provenance.h>
 
+#include "manifest.h"
+
 namespace nodal {
 
 namespace {
-
-std::string text_in(const Value& table, const char* key) {
-  const Value* text = table.is_table() ? table.find(key) : nullptr;
-  return text && text->is_text() ? text->text() : std::string();
-}
 
 // Provenances of the manifest's runs, oldest first; damaged ones are left out.
 std::vector<Value> provenances(const Value& manifest) {

@@ -25,6 +25,7 @@ struct EndedTrial {
   std::chrono::steady_clock::time_point began;
 };
 
+/// Its end kills those that run.
 class RunningTrials {
  public:
   using Clock = std::chrono::steady_clock;
@@ -37,8 +38,6 @@ class RunningTrials {
   void start(const Trial& trial, std::size_t ticket);
   /// Waits a tenth of a second, or until a child says something; returns those that have ended.
   [[nodiscard]] std::vector<EndedTrial> wait();
-  /// Kills them all.
-  void clear() noexcept { running_.clear(); }
 
  private:
   struct Running {

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <sched.h>
 #include <signal.h>
 #include <sys/time.h>
 
@@ -170,8 +171,15 @@ TEST(Compare, KillsATrialThatStaysStopped) {
   EXPECT_EQ(only_record(directory).reason, "killed after 0.3 s: its process was stopped by a signal");
 }
 
+// Also under taskset, or in a container with some of the machine's cores: here one is all that is allowed.
 TEST(Compare, NotesTheConditionsOfEveryTrial) {
   const Value here = provenance();
+  cpu_set_t former, allowed;
+  ASSERT_EQ(::sched_getaffinity(0, sizeof former, &former), 0);
+  CPU_ZERO(&allowed);
+  for (int core = 0; CPU_COUNT(&allowed) == 0; ++core)
+    if (CPU_ISSET(core, &former)) CPU_SET(core, &allowed);
+  ASSERT_EQ(::sched_setaffinity(0, sizeof allowed, &allowed), 0);
   for (const int jobs : {1, 2, 64}) {
     const TemporaryDirectory directory;
     (void)run(study_with(kTwo), directory, {.jobs = jobs});
@@ -182,11 +190,12 @@ TEST(Compare, NotesTheConditionsOfEveryTrial) {
       EXPECT_EQ(record.conditions->build, build_id(here));
       EXPECT_EQ(record.conditions->processor, here.at("processor").text());
       EXPECT_EQ(record.conditions->jobs, std::min(jobs, 7));
-      EXPECT_EQ(record.conditions->cores, static_cast<std::int64_t>(std::thread::hardware_concurrency()));
+      EXPECT_EQ(record.conditions->cores, CPU_COUNT(&allowed));
       EXPECT_FALSE(record.conditions->beside_others || record.conditions->stopped);
       EXPECT_EQ(record.attempt, 1);
     }
   }
+  ::sched_setaffinity(0, sizeof former, &former);
 }
 
 }  // namespace

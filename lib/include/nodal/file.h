@@ -5,8 +5,9 @@
 ///
 /// Reading   regular files only. A FIFO or a device would make the program wait or fill the memory without end.
 /// Replacing all or nothing: the new content is written beside the file and renamed over it, so that whoever reads it
-///           sees the old content or the new, and a full disk loses neither. What is no regular file (/dev/stdout, a FIFO)
-///           is written to instead; a symbolic link stays one, its target is replaced.
+///           sees the old content or the new, and a full disk loses neither. What is no regular file (a terminal, a FIFO) is
+///           written to instead; a symbolic link stays one, its target is replaced: /dev/stdout, too, where a shell has
+///           sent it into a file.
 /// Threads   may be called from any.
 
 #include <cstdint>

@@ -38,7 +38,7 @@ struct BestPoint {
   std::int64_t evaluation = 0;
   PointSummary summary;  ///< of a fresh, refined evaluation at x
   std::vector<double> x;
-  std::optional<std::int64_t> at_bounds = {};  ///< Space::at_bounds(x); records of version 0.1 lack it
+  std::optional<std::int64_t> at_bounds = {};  ///< Space::at_bounds(x); records of version 0.1.0 lack it
 };
 
 struct Seconds {

@@ -187,10 +187,6 @@ class ProjectedNewton {
   std::vector<double> step_;
 };
 
-}  // namespace
-
-namespace {
-
 // Displacements of all loads of a group, one after the other.
 std::vector<double> solved(Equilibrium& equilibrium, const std::vector<double>& stiffness) {
   if (equilibrium.factorize(stiffness) != Status::ok || equilibrium.solve_loads() != Status::ok)

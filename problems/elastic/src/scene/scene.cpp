@@ -192,10 +192,6 @@ std::string hash_files(const Options& options, const ProblemContext& context) {
   return contents.empty() ? std::string() : hash128(contents);
 }
 
-}  // namespace
-
-namespace {
-
 // Of nodes that come from a file or a clipped grid: what lies on the outline, and what may be meant to.
 void tell_of_outline(const Options& points, Scene& scene) {
   const Net& net = scene.net;

@@ -38,7 +38,7 @@ struct Pruned {
 [[nodiscard]] Pruned prune(const ElasticProblem& problem, std::span<const double> stiffness,
                            double most_loss = std::numeric_limits<double>::infinity());
 
-/// "112 of 2749 springs at the lower bound are left out; G 1.823e-07 → 1.824e-07": for people.
+/// "112 of 2749 springs at the lower bound left out, 3 kept because …; relative error … → …, G … → …": for people.
 [[nodiscard]] std::string describe(const Pruned& pruned);
 
 }  // namespace nodal::elastic
