@@ -21,7 +21,8 @@ using namespace toy;
 // Optimizers of the stored records and their attempts, as text.
 std::set<std::string> attempts(const TemporaryDirectory& directory) {
   std::set<std::string> found;
-  for (const TrialRecord& record : Store(directory.path()).records())
+  const Store store(directory.path());
+  for (const TrialRecord& record : store.records())
     found.insert(record.optimizer + " " + std::to_string(record.repeat) + ": " + std::to_string(record.attempt));
   return found;
 }
