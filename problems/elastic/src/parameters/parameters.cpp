@@ -178,12 +178,6 @@ std::size_t Parameters::largest_group() const noexcept {
   return largest;
 }
 
-double Parameters::stiffness_at(double x) const noexcept {
-  for (std::size_t side = 0; side < 2; ++side)
-    if (std::abs(x - ln_bounds_[side]) <= rounding_[side]) return bounds_[side];
-  return std::exp(x);
-}
-
 void Parameters::stiffness(std::span<const double> coordinates, std::span<double> stiffness) const {
   if (one_to_one()) {
     for (std::size_t e = 0; e < springs(); ++e) stiffness[e] = stiffness_at(coordinates[e]);

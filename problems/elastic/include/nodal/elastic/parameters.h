@@ -16,6 +16,7 @@
 /// Cost     construction: O(springs · log springs), with `symmetric` times the few symmetries that are tried in full.
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <span>
@@ -71,7 +72,12 @@ class Parameters {
   [[nodiscard]] bool one_to_one() const noexcept { return size() == springs(); }
 
   /// exp(x), and a bound exactly where x is its logarithm to within rounding.
-  [[nodiscard]] double stiffness_at(double x) const noexcept;
+  [[nodiscard]] double stiffness_at(double x) const noexcept {  // in every proposal of a walk, so it is inline
+    for (std::size_t side = 0; side < 2; ++side)
+      if (std::abs(x - ln_bounds_[side]) <= rounding_[side]) [[unlikely]]
+        return bounds_[side];
+    return std::exp(x);
+  }
   /// k_e = stiffness_at(x_g).
   void stiffness(std::span<const double> coordinates, std::span<double> stiffness) const;
   /// Every spring gets the geometric mean of its group, whatever the bounds; exactly what it had where all are equal.
