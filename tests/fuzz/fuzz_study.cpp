@@ -33,10 +33,10 @@ Registry make_registry() {
     registry.add(std::move(problem));
   }
   registry.add(OptimizerDescription{.name = "walk",
-                                    .options = {{.name = "step", .default_value = 1.0, .minimum = 0.0},
-                                                {.name = "kind", .type = OptionType::text, .choices = {"a", "b"}}},
                                     .needs = {.gradient = true},
                                     .local = true,
+                                    .options = {{.name = "step", .default_value = 1.0, .minimum = 0.0},
+                                                {.name = "kind", .type = OptionType::text, .choices = {"a", "b"}}},
                                     .make = [](const Options&) { return nullptr; }});
   return registry;
 }

@@ -147,7 +147,8 @@ TEST(Work, OfAProblemThatCountsNoFlopsIsItsEvaluations) {
 }
 
 TEST(Work, OfAbsurdCountsIsANumber) {
-  TrialRecord t = trial("a", 0, {{4, 5.0}}, std::numeric_limits<std::int64_t>::max());
+  TrialRecord t = trial("a", 0, {{4, 5.0}}, 9);
+  t.counts.evaluations = std::numeric_limits<std::int64_t>::max();
   t.flops_per_value = 1.0;
   t.work = {-5, 10, 0, 1e308, -1e308};
   EXPECT_FALSE(std::isnan(end_position(t, Axis::work)));

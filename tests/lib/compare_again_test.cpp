@@ -21,7 +21,8 @@ using namespace toy;
 // Optimizers of the stored records and their attempts, as text.
 std::set<std::string> attempts(const TemporaryDirectory& directory) {
   std::set<std::string> found;
-  for (const TrialRecord& record : Store(directory.path()).records())
+  const Store store(directory.path());
+  for (const TrialRecord& record : store.records())
     found.insert(record.optimizer + " " + std::to_string(record.repeat) + ": " + std::to_string(record.attempt));
   return found;
 }
@@ -122,7 +123,8 @@ TEST(Compare, SaysAndNotesThatAnotherComparisonWritesHere) {
                                       directory.path().string() +
                                       "' now: both may run the same trials, and times taken meanwhile are marked as "
                                       "contaminated"}));
-  for (const TrialRecord& record : Store(directory.path()).records())
+  const Store store(directory.path());
+  for (const TrialRecord& record : store.records())
     EXPECT_EQ(record.conditions->beside_others, record.repeat < 2) << record.repeat;
   for (const int descriptor : {began[0], began[1], end[0]}) ::close(descriptor);
 }
