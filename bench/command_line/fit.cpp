@@ -76,7 +76,7 @@ void say_result(const TrialRecord& record, const Problem& problem, const Registr
 
 void write_fitted(const FitArguments& arguments, const std::string& text) {
   // Where standard output is a file, that is added to, not replaced.
-  if (arguments.out.empty() || arguments.out == "/dev/stdout") {
+  if (arguments.out.empty() || is_standard_output(arguments.out)) {
     std::cout << text << '\n';
     return;
   }

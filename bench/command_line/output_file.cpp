@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "output_file.h"
 
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <filesystem>
@@ -65,6 +66,12 @@ void refuse_no_system(const std::string& option, const std::string& path) {
         Source{option, 0},
         fmt::format("'{}' doesn't end in .json; what is fitted is written as JSON, e.g. fitted.json", path));
   refuse_unwritable(option, path);
+}
+
+bool is_standard_output(const std::string& path) {
+  struct stat named {}, out {};
+  return ::stat(path.c_str(), &named) == 0 && ::fstat(STDOUT_FILENO, &out) == 0 && named.st_dev == out.st_dev &&
+         named.st_ino == out.st_ino;
 }
 
 }  // namespace nodal

@@ -28,8 +28,8 @@ inline constexpr std::uintmax_t kLargestInput = std::uintmax_t{1} << 28;
 /// What a name ends in, from its last dot on, in lower case: ".json" of "Fitted.JSON", whose kind is the same.
 [[nodiscard]] std::string extension_of(const std::filesystem::path& path);
 
-/// Replaces the file, or makes it. It is on the disk when this returns. StoreError "cannot write '<path>': <why>"; then
-/// what was there before still is.
+/// Replaces the file, or makes it. The content is on the disk before it takes the name. StoreError "cannot write
+/// '<path>': <why>"; then what was there before still is.
 void replace_file(const std::filesystem::path& path, std::string_view content);
 
 }  // namespace nodal

@@ -54,6 +54,19 @@ TEST(ClosedStandardDescriptors, AreNotTheStores) {
   EXPECT_EQ(count_lines(folder.path() / "results" / "quick" / "trials"), 4u);
 }
 
+// By whatever name: what a shell sends to a log stays in it.
+TEST(Export, IntoStandardOutputIsAddedToIt) {
+  const Folder folder;
+  folder.write("quick.toml", kQuickStudy);
+  for (const std::string name : {"/dev/stdout", "/dev/fd/1"}) {
+    const std::string fit = "'" NODAL_PROGRAM "' fit quick.toml --with annealing --evaluations 5 --export " + name;
+    ASSERT_EQ(shell(folder, "{ echo before; " + fit + "; echo after; } >log 2>stderr"), 0);
+    const std::string log = read_file(folder.path() / "log");
+    EXPECT_TRUE(log.starts_with("before\n{\"schema\": 1,")) << name << log;
+    EXPECT_TRUE(log.ends_with("after\n")) << name << log;
+  }
+}
+
 TEST(Rerun, SupersedesWhatWasStored) {
   const Folder folder;
   folder.write("quick.toml", kQuickStudy);
