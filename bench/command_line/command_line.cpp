@@ -201,6 +201,8 @@ int run_command(const Registry& registry, int argc, const char* const* argv) {
     say("nodal", "there is not enough memory for this");
   } catch (const std::exception& error) {  // InputError, StoreError, and what else a library may throw
     say("nodal", error.what());
+  } catch (...) {  // of a problem or an optimizer that isn't ours
+    say("nodal", "something was thrown that is no std::exception");
   }
   return kExitBadInput;
 }

@@ -69,7 +69,7 @@ TrialRecord run_shown(const Study& study, std::size_t problem, const Registry& r
 void say_result(const TrialRecord& record, const Problem& problem, const Registry& registry) {
   std::cerr << trial_line(record) << '\n';
   if (!record.best) return;
-  std::string text = ending_text(record, registry);
+  std::string text = ending_text(record, problem, registry);
   if (record.health.spread) text += fmt::format("; k_max/k_min {:.4g}", *record.health.spread);
   std::cerr << fmt::format("{}; {}\n", text, at_bounds_text(problem.space(), record.best->x));
 }
@@ -114,12 +114,13 @@ struct FittedSystem {
 };
 
 // Leaves out soft springs within the limit of loss, and fits what stays again from where it is, with the same budget.
-void prune_and_refit(const FitArguments& arguments, Study study, std::size_t problem, const Registry& registry,
+// False when the second fit failed.
+bool prune_and_refit(const FitArguments& arguments, Study study, std::size_t problem, const Registry& registry,
                      FittedSystem& fitted) {
   const elastic::Pruned pruned = elastic::prune(fitted.elastic(), fitted.stiffness, arguments.prune_loss);
   std::cerr << fmt::format("pruned: {}\n", elastic::describe(pruned));
   fitted.title += ", pruned";
-  if (pruned.removed.empty()) return;
+  if (pruned.removed.empty()) return true;
   fitted.problem = pruned.problem;
   fitted.stiffness = pruned.stiffness;
   study.problems[problem].problem = pruned.problem;
@@ -127,6 +128,7 @@ void prune_and_refit(const FitArguments& arguments, Study study, std::size_t pro
   std::cerr << "fitted again: ";
   say_result(record, *pruned.problem, registry);
   if (record.best) fitted.stiffness = pruned.problem->stiffness(record.best->x);
+  return record.end != End::failed;
 }
 
 // Exports and draws. False where it can't be drawn.
@@ -163,16 +165,16 @@ int fit_command(const FitArguments& arguments, const Registry& registry) {
   const TrialRecord record = run_shown(study, problem_index, registry);
   say_result(record, *entry.problem, registry);
   if (!record.best) return kExitTrialFailed;
-  bool drawn = true;
+  bool drawn = true, refitted = true;
   if (const elastic::ElasticProblem* problem = as_elastic(entry)) {
     FittedSystem fitted{entry.problem, problem->stiffness(record.best->x), "fitted by " + method.optimizer.label};
     say_undetermined(*problem, fitted.stiffness);
-    if (arguments.prune) prune_and_refit(arguments, study, problem_index, registry, fitted);
+    if (arguments.prune) refitted = prune_and_refit(arguments, study, problem_index, registry, fitted);
     drawn = write_system(arguments, entry.label, fitted);
   } else {
     write_point(arguments, *entry.problem, record.best->x);
   }
-  return record.end == End::failed || !drawn ? kExitTrialFailed : 0;
+  return record.end == End::failed || !refitted || !drawn ? kExitTrialFailed : 0;
 }
 
 }  // namespace nodal

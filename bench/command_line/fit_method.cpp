@@ -9,6 +9,8 @@
 
 #include <nodal/dense_matrix.h>
 
+#include "slope.h"
+
 namespace nodal {
 
 namespace {
@@ -44,10 +46,9 @@ FitMethod choose_method(const Problem& problem, const Study& study, const Regist
       8.0 * static_cast<double>(problem.residual_count()) * static_cast<double>(problem.space().size());
   const bool small = problem.abilities().residuals && jacobian <= kMostJacobianBytes;
   const std::vector<Candidate> candidates = {
+      {"gauss-newton", problem.abilities().jacobian_products, "least squares by products with the Jacobian"},
       {"ceres-levenberg-marquardt", small,
        fmt::format("least squares with a dense Jacobian of {:.1f} MiB", jacobian / 1048576.0)},
-      {"gauss-newton", problem.abilities().jacobian_products,
-       fmt::format("least squares by products, since a dense Jacobian would take {:.1f} MiB", jacobian / 1048576.0)},
       {"nlopt-lbfgs", problem.abilities().gradient,
        "gradients cost little, and the memory needed grows with the coordinates only"},
       {"ceres-lbfgs", problem.abilities().gradient,
@@ -113,14 +114,21 @@ bool ran_into_own_limit(const TrialRecord& record) {
 
 }  // namespace
 
-std::string ending_text(const TrialRecord& record, const Registry& registry) {
+std::string ending_text(const TrialRecord& record, const Problem& problem, const Registry& registry) {
   if (record.end == End::budget) return "stopped by its budget, not converged; more by --seconds or --evaluations";
   if (record.end == End::target) return "stopped at its target";
   if (record.end != End::finished) return std::string(to_string(record.end));
   if (ran_into_own_limit(record)) return "stopped by the method's own limit, not converged";
   const OptimizerDescription* description = registry.find_optimizer(record.use);
   const bool descends = description && !description->needs.names().empty();
-  return descends ? "converged" : "done, which by this method proves no optimum";
+  if (!descends || !record.best) return "done, which by this method proves no optimum";
+  // Methods end by criteria of their own, which bounds or bad scales can meet anywhere.
+  const std::optional<double> slope = promised_share(problem, record.best->x);
+  if (slope && *slope > kSlopeOfAMinimum)
+    return fmt::format("stopped by the method, not converged: a step of 0.1 % of the box promises {:.2g} % of the cost; "
+                       "fit again from the export, or by another method (--with)",
+                       100.0 * *slope);
+  return "converged";
 }
 
 }  // namespace nodal

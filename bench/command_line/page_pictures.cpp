@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include <nodal/file.h>
 #include <nodal/toml.h>
 
 #include "child_process.h"
@@ -68,6 +69,26 @@ void refuse_files(const Value& value, const fs::path& folder) {
   }
 }
 
+bool names_files(const Value& value) {
+  if (value.is_list()) return std::ranges::any_of(value.list(), names_files);
+  if (!value.is_table()) return false;
+  return std::ranges::any_of(value.table(), [](const auto& entry) {
+    return (entry.first == "file" && entry.second.is_text()) || names_files(entry.second);
+  });
+}
+
+// The folder is the store's word: it is believed where the study stands in it, as the store has it.
+void refuse_another_study(const fs::path& path, const std::string& text) {
+  std::string there;
+  try {
+    there = read_file(path, "study");
+  } catch (const InputError&) {
+  }
+  if (there != text)
+    throw InputError(
+        fmt::format("the study names files, and '{}' is not the study that the store was made of", path.string()));
+}
+
 void refuse_costly(const Value& study, const fs::path& folder) {
   const Value* found = study.find("problem");
   if (!found) return;
@@ -95,7 +116,9 @@ std::string stored_pictures(const Value& study, const Registry& registry, const 
     const fs::path folder = study.at("directory").text();
     const std::string& text = study.at("text").text();
     const fs::path path = folder / fs::path(study.at("file").text()).filename();
-    refuse_costly(parse_toml(text, path.string()), folder);
+    const Value parsed = parse_toml(text, path.string());
+    if (names_files(parsed)) refuse_another_study(path, text);
+    refuse_costly(parsed, folder);
     Value pictures;
     for (const StudyProblem& problem : parse_study(text, path, registry).problems)
       if (!data.pictures.contains(problem.label)) pictures.set(problem.label, picture_of(problem, data));

@@ -72,7 +72,9 @@ std::string name_hint(std::string_view wrong, std::span<const std::string> valid
   if (valid.empty()) return {};
   const std::vector<std::string> near = nearest_names(wrong, valid);
   if (!near.empty()) return "; did you mean " + quoted_list(near, " or ") + "?";
-  return "; valid: " + quoted_list(valid.first(std::min(valid.size(), kMostListed)), ", ");
+  const std::string more =
+      valid.size() > kMostListed ? " and " + std::to_string(valid.size() - kMostListed) + " more" : "";
+  return "; valid: " + quoted_list(valid.first(std::min(valid.size(), kMostListed)), ", ") + more;
 }
 
 }  // namespace nodal

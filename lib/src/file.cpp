@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include <nodal/error.h>
+#include <nodal/shown.h>
 
 #include "file_descriptor.h"
 
@@ -21,6 +22,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr mode_t kOrdinaryMode = 0666;  // less what the umask takes
+constexpr std::size_t kMostOfAPath = 300;  // in a message; names can be megabytes long
 
 class Reading {
  public:
@@ -57,7 +59,7 @@ class Reading {
     refuse(fmt::format("it is larger than {:.0f} MB", static_cast<double>(most) / 1e6));
   }
   [[noreturn]] void refuse(const std::string& why) const {
-    throw InputError(fmt::format("cannot read {}{}'{}': {}", what_, what_.empty() ? "" : " ", path_.string(), why));
+    throw InputError(fmt::format("cannot read {}{}'{}': {}", what_, what_.empty() ? "" : " ", nodal::shown(path_.string(), kMostOfAPath), why));
   }
 
   const fs::path& path_;
@@ -70,7 +72,8 @@ void write_beside_and_rename(const fs::path& path, const fs::path& shown, mode_t
   const fs::path temporary = fmt::format("{}.{}.part", path.string(), ::getpid());
   try {
     {
-      FileDescriptor file(temporary, O_WRONLY | O_CREAT | O_TRUNC, kOrdinaryMode, shown);
+      ::unlink(temporary.c_str());  // of a process of this number that was killed; or planted there
+      FileDescriptor file(temporary, O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW, kOrdinaryMode, shown);
       if (mode != kOrdinaryMode) {
         [[maybe_unused]] const int ignored = ::fchmod(file.get(), mode);
       }
@@ -96,7 +99,27 @@ std::string extension_of(const fs::path& path) {
   return extension;
 }
 
-void replace_file(const fs::path& path, std::string_view content) {
+namespace {
+
+void replace_where_it_stands(const fs::path& path, std::string_view content) {
+  struct stat status {};
+  const bool there = ::lstat(path.c_str(), &status) == 0;
+  if (there && !S_ISREG(status.st_mode) && !S_ISLNK(status.st_mode))
+    throw StoreError(fmt::format("cannot write '{}': it is no regular file; remove it", path.string()));
+  write_beside_and_rename(path, path, there && S_ISREG(status.st_mode) ? status.st_mode & 07777 : kOrdinaryMode, content);
+}
+
+// A pipe that nobody reads would be waited for without a word.
+void write_into(const fs::path& path, std::string_view content) {
+  FileDescriptor file(path, O_WRONLY | O_NONBLOCK, kOrdinaryMode, path);
+  ::fcntl(file.get(), F_SETFL, 0);
+  file.write(content);
+}
+
+}  // namespace
+
+void replace_file(const fs::path& path, std::string_view content, Links links) {
+  if (links == Links::replace) return replace_where_it_stands(path, content);
   struct stat status {};
   if (::stat(path.c_str(), &status) != 0) {
     std::error_code none;
@@ -111,7 +134,7 @@ void replace_file(const fs::path& path, std::string_view content) {
     if (error) refuse_write(path, error.value());
     write_beside_and_rename(target, path, status.st_mode & 07777, content);
   } else {
-    FileDescriptor(path, O_WRONLY, kOrdinaryMode, path).write(content);
+    write_into(path, content);
   }
 }
 

@@ -165,6 +165,7 @@ void Meter::keep_last_point(std::span<const double> x, const Evaluation& result)
 }
 
 Evaluation Meter::value(std::span<const double> x) {
+  require_size(x);
   if (!admit()) return {Status::budget_spent, 0.0};
   ++counts_.values;
   return settle(evaluator_.value(x), x);
@@ -182,6 +183,7 @@ bool all_finite(std::span<const double> numbers) {
 }  // namespace
 
 Evaluation Meter::value_and_gradient(std::span<const double> x, std::span<double> gradient) {
+  require_size(x);
   if (at_last_point(x)) {
     if (spent()) {
       ++counts_.refused;
@@ -203,6 +205,7 @@ Evaluation Meter::value_and_gradient(std::span<const double> x, std::span<double
 }
 
 Evaluation Meter::residuals(std::span<const double> x, std::span<double> residuals) {
+  require_size(x);
   if (at_last_point(x)) {
     if (spent()) {
       ++counts_.refused;
@@ -219,6 +222,7 @@ Evaluation Meter::residuals(std::span<const double> x, std::span<double> residua
 
 Evaluation Meter::residuals_and_jacobian(std::span<const double> x, std::span<double> residuals,
                                          std::span<double> jacobian) {
+  require_size(x);
   const bool repeated = at_last_point(x);
   if (repeated && spent()) {
     ++counts_.refused;

@@ -28,6 +28,7 @@ std::vector<std::string> split_choice(const Study& study, const std::vector<std:
       parts.push_back(word);
       continue;
     }
+    if (word.empty()) parts.emplace_back();  // an empty variable of a script: refused as no label, not taken for none
     std::istringstream rest(word);
     for (std::string part; std::getline(rest, part, ',');) parts.push_back(part);
   }

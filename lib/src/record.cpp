@@ -164,6 +164,9 @@ TrialRecord parse_record(std::string_view line, const std::string& name) {
   describe(reader, record, work);
   record.work = work.work;
   record.flops_per_value = work.flops_per_value;
+  constexpr std::int64_t kMostAttempts = 1'000'000'000;  // the next one is counted on
+  if (record.attempt < 1 || record.attempt > kMostAttempts)
+    throw InputError(fmt::format("{}: not a trial's record: 'attempt' is {}", name, record.attempt));
   return record;
 }
 

@@ -72,7 +72,7 @@ struct Store::State {
   // Its trial has run since then? A line without a readable key may have been any trial's, as long as one is missing.
   void warn_of_torn(const TornLine& line) {
     if (line.key.empty() ? has_all() : by_key.contains(line.key)) return;
-    warnings.push_back(line.where + ": a line that is no whole record was dropped; its trial runs again");
+    warnings.push_back(fmt::format("{}: a line that is no whole record was dropped{}; its trial runs again", line.where, line.why));
   }
 
   bool has_all() const {
@@ -141,7 +141,7 @@ void Store::begin(const Study& study) {
   remove_leftovers(state.directory);
   const StoreLock::Alone alone(*state.lock);
   Value manifest = make_manifest(study, read_manifest(path), here);  // read again: others may have begun since
-  replace_file(path, to_json(manifest) + "\n");
+  replace_file(path, to_json(manifest) + "\n", Links::replace);
   state.manifest = std::move(manifest);
   state.identity = state.present_identity();
   state.warn_of_origins(here);
@@ -161,7 +161,7 @@ void Store::write_file(const std::string& name, std::string_view content) {
   state_->require_in_place();
   const fs::path path = state_->directory / name;
   make_directory(path.parent_path());
-  replace_file(path, content);
+  replace_file(path, content, Links::replace);
 }
 
 }  // namespace nodal

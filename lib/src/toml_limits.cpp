@@ -43,7 +43,7 @@ class DepthScan {
   void check_depth() const {
     if (header_ + above_ + open_.size() + dots_ > kDeepestToml)
       throw InputError({file_name_, line_}, "more than " + std::to_string(kDeepestToml) +
-                                                " tables within each other: a key has too many dots");
+                                                " tables within each other: brackets within each other, or dots in a key");
   }
 
   void add_dot() {

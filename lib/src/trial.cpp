@@ -95,7 +95,7 @@ class Run {
     record_.seconds.evaluation = std::min(meter.evaluation_seconds(), search_seconds);
     record_.seconds.optimizer = search_seconds - record_.seconds.evaluation;
     record_.seconds.harness = record_.seconds.total - search_seconds;
-    record_.seconds.cpu = thread_cpu_seconds() - cpu_began;
+    record_.seconds.cpu = std::max(0.0, thread_cpu_seconds() - cpu_began);
   }
 
  private:

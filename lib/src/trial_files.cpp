@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 
 #include <nodal/file.h>
+#include <nodal/shown.h>
 
 #include "file_descriptor.h"
 
@@ -21,6 +22,8 @@ namespace nodal {
 namespace fs = std::filesystem;
 
 namespace {
+
+constexpr std::size_t kMostOfAReason = 200;
 
 constexpr const char* kFolder = "trials";
 constexpr std::uintmax_t kLargestTrialsFile = std::uintmax_t{1} << 34;  // 16 GB: a record is a few kB
@@ -68,8 +71,11 @@ void read_line(const std::string& where, std::string_view line, StoredLines& res
     result.records.push_back(parse_record(line, where));
   } catch (const NewerSchemaError&) {
     throw;
-  } catch (const InputError&) {
-    result.torn.push_back({where, key_in(line)});
+  } catch (const InputError& error) {
+    const std::string_view what = error.what();
+    const bool cut_off = what.find("not valid JSON") != std::string_view::npos;
+    const std::string_view reason = what.substr(what.starts_with(where) ? where.size() + 2 : 0);
+    result.torn.push_back({where, key_in(line), cut_off ? "" : fmt::format(" ({})", shown(reason, kMostOfAReason))});
   }
 }
 

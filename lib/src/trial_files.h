@@ -11,9 +11,10 @@
 
 namespace nodal {
 
-/// A line that is no whole record: where it stands, and the key of its trial where that can be read.
+/// A line that is no whole record: where it stands, the key of its trial where that can be read, and " (what is wrong)"
+/// where it is more than cut off.
 struct TornLine {
-  std::string where, key;
+  std::string where, key, why;
 };
 
 struct StoredLines {

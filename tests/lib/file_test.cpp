@@ -118,6 +118,26 @@ TEST(Extension, IsTheSameInCapitals) {
   EXPECT_EQ(extension_of("fitted"), "");
 }
 
+TEST_F(File, OfADirectoryThatMayBeAnybodysReplacesLinksAndNothingElse) {
+  const fs::path victim = folder() / "victim", link = folder() / "link", fifo = folder() / "fifo";
+  replace_file(victim, "mine");
+  fs::create_symlink("victim", link);
+  replace_file(link, "page", Links::replace);
+  EXPECT_FALSE(fs::is_symlink(link));
+  EXPECT_EQ(content(link), "page");
+  EXPECT_EQ(content(victim), "mine");
+  ASSERT_EQ(::mkfifo(fifo.c_str(), 0600), 0);
+  EXPECT_EQ(message_of<StoreError>([&] { replace_file(fifo, "page", Links::replace); }),
+            "cannot write '" + fifo.string() + "': it is no regular file; remove it");
+}
+
+TEST_F(File, ThatIsAPipeWithoutAReaderIsNotWaitedFor) {
+  const fs::path fifo = folder() / "fifo";
+  ASSERT_EQ(::mkfifo(fifo.c_str(), 0600), 0);
+  const std::string message = message_of<StoreError>([&] { replace_file(fifo, "text"); });
+  EXPECT_TRUE(message.starts_with("cannot write '" + fifo.string() + "': ")) << message;
+}
+
 TEST_F(File, InAFolderThatIsNotThereIsRefused) {
   const std::string path = (folder() / "none" / "f").string();
   const std::string message = message_of<StoreError>([&] { replace_file(path, "text"); });

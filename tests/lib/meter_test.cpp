@@ -378,5 +378,12 @@ TEST(Meter, CountsAllTimeInTheProblemAsTheProblems) {
   EXPECT_LE(meter.evaluation_seconds(), meter.seconds_now());
 }
 
+TEST(Meter, RefusesPointsOfAnotherSize) {
+  Bench b;
+  const std::vector<double> less(b.problem.space().size() - 1, 0.0), more(b.problem.space().size() + 1, 0.0);
+  EXPECT_THROW((void)b.meter.value(less), std::invalid_argument);
+  EXPECT_THROW((void)b.meter.value(more), std::invalid_argument);
+}
+
 }  // namespace
 }  // namespace nodal

@@ -137,6 +137,15 @@ TEST(Record, RefusesALineWithoutAFieldByItsName) {
     EXPECT_EQ(refusal_without(path), "a.jsonl:3: not a trial's record: '" + std::string(path) + "' is missing");
 }
 
+// The next attempt is one more: what can't be counted on is no record.
+TEST(Record, RefusesAttemptsThatCantBeCounted) {
+  TrialRecord record = toy::full_record();
+  for (const std::int64_t attempt : {std::int64_t{0}, std::int64_t{-5}, std::numeric_limits<std::int64_t>::max()}) {
+    record.attempt = attempt;
+    EXPECT_THROW((void)parse_record(to_json_line(record), "r"), InputError) << attempt;
+  }
+}
+
 TEST(Record, ReadsALineWithoutWhatWasNotMeasured) {
   for (const char* path : {"best", "claimed", "start.cost", "start.quality", "best.relative_error", "best.at_bounds",
                            "claimed.cost", "claimed.x_equals_best", "claimed.evaluations", "attempt", "conditions",

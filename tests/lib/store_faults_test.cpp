@@ -88,7 +88,9 @@ TEST(Store, DropsGarbledLinesAndKeepsTheOthers) {
   EXPECT_EQ(keys_of(store), (Keys{"a", "b"}));
   const std::string dropped = ": a line that is no whole record was dropped; its trial runs again";
   EXPECT_EQ(store.warnings(),
-            (Keys{file.string() + ":2" + dropped, file.string() + ":4" + dropped, file.string() + ":6" + dropped}));
+            (Keys{file.string() + ":2: a line that is no whole record was dropped (not a trial's record: 'key' is missing); its "
+                                  "trial runs again",
+                  file.string() + ":4" + dropped, file.string() + ":6" + dropped}));
 }
 
 TEST(Store, AppendsToAStoreWhoseLastLineWasCutOff) {

@@ -28,8 +28,12 @@ inline constexpr std::uintmax_t kLargestInput = std::uintmax_t{1} << 28;
 /// What a name ends in, from its last dot on, in lower case: ".json" of "Fitted.JSON", whose kind is the same.
 [[nodiscard]] std::string extension_of(const std::filesystem::path& path);
 
+/// What a name that is a link means: where it leads, as with what people name; or the link itself, which is replaced, as in
+/// a directory that may be somebody else's. There nothing but a regular file or a link is replaced.
+enum class Links { follow, replace };
+
 /// Replaces the file, or makes it. The content is on the disk before it takes the name. StoreError "cannot write
 /// '<path>': <why>"; then what was there before still is.
-void replace_file(const std::filesystem::path& path, std::string_view content);
+void replace_file(const std::filesystem::path& path, std::string_view content, Links links = Links::follow);
 
 }  // namespace nodal

@@ -25,6 +25,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <stdexcept>
 #include <vector>
 
 #include <nodal/evaluator.h>
@@ -160,6 +161,11 @@ class Meter {
     if (--until_sample_ == 0) [[unlikely]]
       return begin_sample();
     return true;
+  }
+  // A method that gives another number of coordinates would be read or written beyond its end.
+  void require_size(std::span<const double> x) const {
+    if (x.size() != best_x_.size()) [[unlikely]]
+      throw std::invalid_argument("the method asked for a point with another number of coordinates than the problem has");
   }
   bool refuse() noexcept;
   bool begin_sample() noexcept;

@@ -70,7 +70,7 @@ struct ClaimRecord {
 struct TrialRecord {
   int schema = kRecordSchema;
   std::string key;
-  std::int64_t attempt = 1;        ///< of two records with one key the one of the later attempt counts
+  std::int64_t attempt = 1;        ///< 1 to 1e9; of two records with one key the one of the later attempt counts
   std::string problem, optimizer;  ///< labels
   std::string use;
   int repeat = 0;

@@ -10,10 +10,14 @@
 #include <sstream>
 #include <thread>
 
+#include <nodal/components.h>
+#include <nodal/trial.h>
 #include <nodal/value.h>
 
 #include "command_line/at_bounds.h"
 #include "command_line/fit_clock.h"
+#include "command_line/fit_method.h"
+#include "command_line/slope.h"
 #include "program.h"
 #include "studies.h"
 
@@ -80,6 +84,26 @@ TEST(FitEnd, SaysThatItConvergedAndWhatIsAtABound) {
   const std::size_t begin = narrow.err.find("; ", narrow.err.find("k_max/k_min")) + 2;
   const std::string counts = narrow.err.substr(begin, narrow.err.find('\n', begin) - begin);
   EXPECT_TRUE(contains(evaluated.out, "\n" + counts + " (0.38 to 0.5 N/m)\n")) << counts << evaluated.out;
+}
+
+// The plate's start is no minimum and its fit is one, whatever the method said of either.
+TEST(Slope, IsNearlyZeroAtAMinimumAndNowhereElse) {
+  const Folder folder;
+  folder.write("free.toml", without_budget());
+  Registry registry;
+  register_components(registry);
+  Study study = read_study(folder.path() / "free.toml", registry);
+  const Problem& problem = *study.problems.front().problem;
+  const Space& space = problem.space();
+  EXPECT_GT(promised_share(problem, space.start()).value(), 100.0 * kSlopeOfAMinimum);
+  study.budget.evaluations = 500;
+  study.optimizers = {named_method("gauss-newton", study, registry).optimizer};
+  TrialRecord record = run_trial(study, {0, 0, 0}, registry);
+  ASSERT_TRUE(record.best.has_value());
+  EXPECT_LT(promised_share(problem, record.best->x).value(), kSlopeOfAMinimum);
+  EXPECT_EQ(ending_text(record, problem, registry), "converged");
+  record.best->x.assign(space.start().begin(), space.start().end());
+  EXPECT_TRUE(ending_text(record, problem, registry).starts_with("stopped by the method, not converged: a step of "));
 }
 
 TEST(AtBounds, CountsBothSides) {

@@ -74,6 +74,7 @@ std::vector<std::string> names_of(const std::vector<Column>& columns) {
 // Whether a file's column is likely to be ours: "X", "x [m]", "x(mm)".
 bool resembles(const std::string& theirs, const std::string& ours) {
   const std::string lower = lower_case(theirs);
+  if (ours == "node" && (lower == "id" || lower == "number" || lower == "nr")) return true;
   if (!lower.starts_with(ours)) return false;
   return lower.size() == ours.size() || std::string_view(" [(/_").find(lower[ours.size()]) != std::string_view::npos;
 }
@@ -82,8 +83,12 @@ bool resembles(const std::string& theirs, const std::string& ours) {
 std::string columns_example(const std::vector<Column>& columns, const std::vector<std::string>& header) {
   std::string text;
   for (const Column& column : columns) {
-    const auto found =
-        std::ranges::find_if(header, [&](const std::string& name) { return resembles(name, column.name); });
+    auto found = std::ranges::find_if(header, [&](const std::string& name) { return resembles(name, column.name); });
+    if (found == header.end())  // misspelt: what is meant must not be left out
+      found = std::ranges::find_if(header, [&](const std::string& name) {
+        const std::vector<std::string> near = nearest_names(name, names_of(columns));
+        return !near.empty() && near.front() == column.name;
+      });
     if (found == header.end() && !column.required) continue;
     text += fmt::format("{}{} = \"{}\"", text.empty() ? "" : ", ", column.name,
                         found == header.end() ? "…" : shown(*found));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <nodal/elastic/stiffness.h>
 #include <nodal/file.h>
+#include <nodal/shown.h>
 
 #include <algorithm>
 #include <cmath>
@@ -24,6 +25,14 @@ double stiffness_of(const SpringEntry& entry, const std::string& name) {
     throw InputError(entry.source,
                      fmt::format("{} has stiffness {}; it must be a positive number", name, *entry.stiffness));
   return *entry.stiffness;
+}
+
+// A system with fewer springs than the study's net, as --prune leaves it, is a net of its own.
+std::string whole_system_advice(const std::filesystem::path& path) {
+  const std::string name = shown(path.filename().string());
+  return fmt::format(
+      "; a system of its own, as after --prune, is read by points = {{ file = \"{}\" }}, springs = {{ file = \"{}\" }}", name,
+      name);
 }
 
 }  // namespace
@@ -52,8 +61,9 @@ std::vector<double> read_stiffness_file(const std::filesystem::path& path, const
   for (std::size_t e = 0; e < net.springs.size(); ++e)
     if (!seen[e])
       throw InputError({path.string(), 0},
-                       fmt::format("spring ({}, {}) is missing; every spring of the net must stand once",
-                                   net.id(net.springs[e].first), net.id(net.springs[e].second)));
+                       fmt::format("spring ({}, {}) is missing; every spring of the net must stand once{}",
+                                   net.id(net.springs[e].first), net.id(net.springs[e].second),
+                                   file.has_nodes ? whole_system_advice(path) : ""));
   return stiffness;
 }
 
