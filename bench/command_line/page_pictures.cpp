@@ -117,8 +117,8 @@ std::string stored_pictures(const Value& study, const Registry& registry, const 
     const std::string& text = study.at("text").text();
     const fs::path path = folder / fs::path(study.at("file").text()).filename();
     const Value parsed = parse_toml(text, path.string());
-    if (names_files(parsed)) refuse_another_study(path, text);
     refuse_costly(parsed, folder);
+    if (names_files(parsed)) refuse_another_study(path, text);
     Value pictures;
     for (const StudyProblem& problem : parse_study(text, path, registry).problems)
       if (!data.pictures.contains(problem.label)) pictures.set(problem.label, picture_of(problem, data));

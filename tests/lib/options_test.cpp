@@ -130,7 +130,7 @@ TEST(Options, RefuseAnUnknownKeyAndOfferTheNearest) {
   EXPECT_EQ(
       refusal(R"({"temperature": 1})"),
       "s.toml:1: unknown key 'temperature' in optimizer 'toy'; valid: 'cooling', 'share', 'step', 'ceiling', 'below', "
-      "'rounds', 'verbose', 'order', 'note', 'size', 'counts', 'material'");
+      "'rounds', 'verbose', 'order', 'note', 'size', 'counts', 'material' and 4 more");
   EXPECT_EQ(refusal(R"({"material": {"young": 1, "posson": 0.3}})"),
             "s.toml:1: unknown key 'posson' in 'material' of optimizer 'toy'; did you mean 'poisson'?");
   EXPECT_EQ(toy::message_of([] { (void)resolve_options({}, parse_json(R"({"a": 1})", "s.toml"), "optimizer 'bare'"); }),

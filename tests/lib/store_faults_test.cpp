@@ -369,7 +369,7 @@ TEST(Store, LeavesNoScrapsWhereADirectoryIsInTheWay) {
   fs::create_directories(temporary.path() / "report.html" / "x");
   EXPECT_EQ(message_of<StoreError>([&] { store.write_file("report.html", "new"); }),
             "cannot write '" + (temporary.path() / "report.html").string() +
-                "': Is a directory; what was stored before stays valid");
+                "': it is no regular file; remove it");
   EXPECT_EQ(files_in(temporary.path()).size(), 1u);
 }
 
