@@ -59,7 +59,8 @@ class Reading {
     refuse(fmt::format("it is larger than {:.0f} MB", static_cast<double>(most) / 1e6));
   }
   [[noreturn]] void refuse(const std::string& why) const {
-    throw InputError(fmt::format("cannot read {}{}'{}': {}", what_, what_.empty() ? "" : " ", nodal::shown(path_.string(), kMostOfAPath), why));
+    throw InputError(fmt::format("cannot read {}{}'{}': {}", what_, what_.empty() ? "" : " ",
+                                 shown(path_.string(), kMostOfAPath), why));
   }
 
   const fs::path& path_;
