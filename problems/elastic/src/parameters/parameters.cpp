@@ -136,6 +136,7 @@ Parameters::Parameters(const Net& net, const ParameterRule& rule, const std::arr
     ln_bounds_[side] = std::log(bounds[side]);
     rounding_[side] = std::isfinite(ln_bounds_[side]) ? kUlps * std::max(1.0, std::abs(ln_bounds_[side])) : 0.0;
   }
+  between_ = {ln_bounds_[0] + rounding_[0], ln_bounds_[1] - rounding_[1]};
   // Coordinates in the order of their first springs. Rounded ranges may read the same: names are told apart by a
   // number.
   const Tied tied = elastic::tie(net, rule);
@@ -176,6 +177,12 @@ std::size_t Parameters::largest_group() const noexcept {
   std::size_t largest = 0;
   for (std::size_t g = 0; g < size(); ++g) largest = std::max(largest, first_[g + 1] - first_[g]);
   return largest;
+}
+
+double Parameters::stiffness_at_bound(double x) const noexcept {
+  for (std::size_t side = 0; side < 2; ++side)
+    if (std::abs(x - ln_bounds_[side]) <= rounding_[side]) return bounds_[side];
+  return std::exp(x);
 }
 
 void Parameters::stiffness(std::span<const double> coordinates, std::span<double> stiffness) const {

@@ -73,10 +73,7 @@ class Parameters {
 
   /// exp(x), and a bound exactly where x is its logarithm to within rounding.
   [[nodiscard]] double stiffness_at(double x) const noexcept {  // in every proposal of a walk, so it is inline
-    for (std::size_t side = 0; side < 2; ++side)
-      if (std::abs(x - ln_bounds_[side]) <= rounding_[side]) [[unlikely]]
-        return bounds_[side];
-    return std::exp(x);
+    return between_[0] < x && x < between_[1] ? std::exp(x) : stiffness_at_bound(x);
   }
   /// k_e = stiffness_at(x_g).
   void stiffness(std::span<const double> coordinates, std::span<double> stiffness) const;
@@ -89,11 +86,14 @@ class Parameters {
              std::span<double> by_coordinate) const;
 
  private:
+  double stiffness_at_bound(double x) const noexcept;
+
   std::vector<std::size_t> group_;    // by spring
   std::vector<std::size_t> members_;  // springs, coordinate by coordinate
   std::vector<std::size_t> first_;    // where a coordinate's members begin
   std::vector<std::string> names_;
   std::array<double, 2> bounds_, ln_bounds_, rounding_;  // how far from its logarithm a bound still is the bound
+  std::array<double, 2> between_;                        // coordinates that are farther than that from both
 };
 
 }  // namespace nodal::elastic
