@@ -96,6 +96,33 @@ TEST(FittedStart, IsAnOptimumWhereLineSearchesHaveFinished) {
   EXPECT_EQ(run(folder, {"fit", "again.toml", "--with", "nlopt-lbfgs", "--export", "again.json"}).exit, 0);
 }
 
+// Of a lattice that fits perfectly, and of a fit that is as good as its best known to that one's digits.
+TEST(BestStart, IsReachedByEveryTrialAtOnce) {
+  const Folder folder;
+  const std::string begin = "[study]\nname = \"best\"\nrepeats = 2\n[budget]\nevaluations = 500\n",
+                    end =
+                        "[[optimizer]]\nuse = \"annealing\"\nbaseline = true\n[[optimizer]]\nuse = \"gauss-newton\"\n"
+                        "[[optimizer]]\nuse = \"random-search\"\n";
+  folder.write("lattice.toml",
+               begin +
+                   "[problem]\nkind = \"elastic\"\nmaterial = { poisson = 0.3333333333333333 }\nsprings "
+                   "= { initial = \"lattice\" }\n" +
+                   end);
+  folder.write("plate.toml", "[problem]\nkind = \"elastic\"\n");
+  ASSERT_EQ(run(folder, {"fit", "plate.toml", "--with", "gauss-newton", "--export", "fitted.json"}).exit, 0);
+  folder.write("known.toml", begin +
+                                 "[problem]\nkind = \"elastic\"\nbest_known = { quality = 0.7376, origin = \"four "
+                                 "digits\" }\nsprings = { initial = { file = \"fitted.json\" } }\n" +
+                                 end);
+  for (const std::string study : {"lattice", "known"}) {
+    const Output output = run(folder, {"compare", study + ".toml", "--out", study});
+    EXPECT_EQ(output.exit, 0) << output.err;
+    EXPECT_TRUE(contains(output.out, ", the best there is: every trial has reached each gap at its start; G* = "))
+        << output.out;
+    EXPECT_FALSE(contains(output.out, "never")) << output.out;
+  }
+}
+
 // A trust region that shrinks at a bound ends by its own tolerance, with way to go: the user is told so.
 TEST(FitAtABound, IsNotCalledConvergedBecauseTheMethodStopped) {
   if (!NODAL_HAVE_CERES) GTEST_SKIP() << "no Ceres";
