@@ -14,6 +14,7 @@
 #include "console.h"
 #include "progress.h"
 #include "report/left_out.h"
+#include "rerun.h"
 #include "stop_signal.h"
 #include "write_report.h"
 
@@ -57,6 +58,7 @@ std::string way_on(const CompareArguments& arguments) {
 int compare_command(const CompareArguments& arguments, const Registry& registry) {
   const Study study = read_study(arguments.study, registry, arguments.overrides);
   require_comparable(study);  // before anything is written
+  (void)read_rerun(study, arguments.rerun, arguments.fresh);
   say_left_out(study);
   const std::string directory = arguments.out.empty() ? "results/" + study.name : arguments.out;
   const CompareResult result = run(study, registry, directory, arguments);

@@ -5,10 +5,13 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <filesystem>
+#include <map>
 
 #include <fmt/format.h>
 
+#include <nodal/agreement.h>
 #include <nodal/file.h>
 #include <nodal/toml.h>
 
@@ -101,12 +104,30 @@ void refuse_costly(const Value& study, const fs::path& folder) {
 
 // ── pictures ──
 
+// A store keeps its trials when the files that its study names change; a point of theirs is none of what they hold now.
+void refuse_another_system(const elastic::ElasticProblem& problem, const std::string& label,
+                           const report::BestOfAll& best) {
+  const auto refuse = [&label](const std::string& what) {
+    throw InputError(
+        fmt::format("the best trial of '{}' is of another system than the study and its files now: {}", label, what));
+  };
+  if (best.x.size() != problem.space().size())
+    refuse(fmt::format("{} coordinates, not {}", best.x.size(), problem.space().size()));
+  const elastic::State state = problem.solve(problem.stiffness(best.x));
+  const double seen = best.quality / problem.quality(0.5),
+               error = state.relative_error;  // a cost of 1/2 is an error of 1
+  if (state.status != Status::ok || !(std::abs(seen - error) <= kLargestContradiction * error + kRaceAccuracy))
+    refuse(fmt::format("G was {:.6g} at its best point and is {:.6g}", best.quality, state.quality));
+}
+
 std::string picture_of(const StudyProblem& problem, const report::ReportData& data) {
   const auto* elastic = dynamic_cast<const elastic::ElasticProblem*>(problem.problem.get());
   if (!elastic || elastic->net().springs.size() > kMostPlateSprings) return {};
   const auto own = std::ranges::find_if(
       data.problems, [&](const report::ProblemReport& p) { return p.table.reference.label == problem.label; });
-  return own == data.problems.end() ? std::string() : report::plates_html(report::make_plates(*elastic, *own));
+  if (own == data.problems.end()) return {};
+  if (own->best) refuse_another_system(*elastic, problem.label, *own->best);
+  return report::plates_html(report::make_plates(*elastic, *own));
 }
 
 // {"pictures": {label: HTML}}, or {"refused": why}.
@@ -139,16 +160,19 @@ std::string wait_for(ChildProcess& child) {
     ::poll(&ready, 1, kLookMilliseconds);
   }
   if (!child.whole())
-    throw InputError(fmt::format("the process that made them died{}{}", child.death().empty() ? "" : ": ", child.death()));
+    throw InputError(
+        fmt::format("the process that made them died{}{}", child.death().empty() ? "" : ": ", child.death()));
   return std::string(child.output());
 }
 
 }  // namespace
 
 void add_pictures(const Study& study, report::ReportData& data) {
+  std::map<std::string, std::string> pictures;
   for (const StudyProblem& problem : study.problems)
     if (std::string picture = picture_of(problem, data); !picture.empty())
-      data.pictures.emplace(problem.label, std::move(picture));
+      pictures.emplace(problem.label, std::move(picture));
+  data.pictures.merge(pictures);
 }
 
 void add_stored_pictures(const Store& store, const Registry& registry, report::ReportData& data) {

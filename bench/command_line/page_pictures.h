@@ -11,12 +11,13 @@
 
 namespace nodal {
 
-/// Of a study that has been read here, whose problems are built.
+/// Of a study that has been read here, whose problems are built. InputError, and no picture, when a problem's best trial
+/// is of another system than the study's files hold now: its quality is not what its point has.
 void add_pictures(const Study& study, report::ReportData& data);
 
 /// Of a study as a store keeps it. It may be anybody's, so its problems are built again in a child process that has 20
 /// seconds, and only where the net is small by the study's own figures and every file that it names is a regular one
-/// below the study's folder. InputError says why there are no pictures.
+/// below the study's folder. InputError says why there are no pictures, as above or by any of these.
 void add_stored_pictures(const Store& store, const Registry& registry, report::ReportData& data);
 
 }  // namespace nodal

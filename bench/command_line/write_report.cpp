@@ -26,10 +26,11 @@ std::size_t table_width() {
 }
 
 // The terminal says why. The page doesn't: it may be given away, and a message can quote what a file holds.
-void add_stored(const Store& store, const Registry& registry, report::ReportData& data) {
+template <class Add>
+void add_or_say(const Store& store, report::ReportData& data, Add add) {
   const std::string place = fmt::format("no pictures for '{}'", store.directory().string());
   try {
-    add_stored_pictures(store, registry, data);
+    add();
   } catch (const std::exception& error) {
     data.warnings.push_back(place + ": its study can't be drawn again here; nodal report says why");
     say("warning", fmt::format("{}: {}", place, error.what()));
@@ -41,9 +42,9 @@ void add_stored(const Store& store, const Registry& registry, report::ReportData
 void write_report(std::span<const Store> stores, const Registry& registry, Store& target, const Study* study) {
   report::ReportData data = report::collect(stores);
   if (study)
-    add_pictures(*study, data);
+    add_or_say(target, data, [&] { add_pictures(*study, data); });
   else
-    for (const Store& store : stores) add_stored(store, registry, data);
+    for (const Store& store : stores) add_or_say(store, data, [&] { add_stored_pictures(store, registry, data); });
   // Files first: whoever reads the table may go away, or have no room for it. It stands there even if they can't.
   const auto print = [&data] { std::cout << report::console_table(data, table_width()) << std::flush; };
   try {

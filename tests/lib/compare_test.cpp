@@ -93,6 +93,30 @@ TEST(Compare, KeepsARowOfAProblemThatThrowsWhatIsNoException) {
   }
 }
 
+// Whatever is made anew for a trial may throw anything; the trials beside it are none the worse.
+TEST(Compare, KeepsARowOfWhatCannotBeMade) {
+  const auto text = [](const char* kind) {
+    return std::string("[budget]\nevaluations = 5\n[problem]\nkind = \"") + kind + "\"\n";
+  };
+  const std::string multi_start = use("unmade") + "label = \"again\"\nmulti_start = true\n";
+  for (const bool isolate : {true, false}) {
+    const TemporaryDirectory directory, other;
+    const std::string optimizers = use("unmade") + multi_start + use("throwing-a-number") + use("halving");
+    EXPECT_EQ(run(toy::study(text("bowl") + optimizers, once()), directory, {.isolate = isolate}).failed, 3u);
+    const Store store(directory.path());
+    ASSERT_EQ(store.records().size(), 4u);
+    for (const TrialRecord& record : store.records()) {
+      const bool good = record.optimizer == "halving";
+      EXPECT_EQ(record.end, good ? End::budget : End::failed) << record.optimizer;
+      EXPECT_EQ(record.reason, good ? "evaluations spent" : "an exception that is no std::exception");
+      EXPECT_TRUE(record.start.cost.has_value()) << record.optimizer;
+    }
+    EXPECT_EQ(run(toy::study(text("unmade") + use("halving"), once()), other, {.isolate = isolate}).failed, 1u);
+    EXPECT_EQ(only_record(other).end, End::failed);
+    EXPECT_EQ(only_record(other).reason, "an exception that is no std::exception");
+  }
+}
+
 TEST(Compare, KeepsARowOfATrialWhoseNumbersNoRecordCanHold) {
   for (const bool isolate : {true, false}) {
     const TemporaryDirectory directory;

@@ -43,6 +43,17 @@ class UnspeakableProblem final : public Problem {
   Space space_{{{"x", -2.0, 3.0, -1.5}}};
 };
 
+/// What nobody can evaluate, and throws what nobody expects.
+class UnmadeProblem final : public Problem {
+ public:
+  [[nodiscard]] const Space& space() const override { return space_; }
+  [[nodiscard]] Abilities abilities() const override { return {}; }
+  [[nodiscard]] std::unique_ptr<Evaluator> make_evaluator() const override { throw 42; }
+
+ private:
+  Space space_{{{"x", -2.0, 3.0, -1.5}}};
+};
+
 /// Halves the distance to the optimum of the bowl again and again, `factor` being the part of it that is left.
 class Halving final : public Optimizer {
  public:
@@ -117,6 +128,9 @@ inline void add_problems(Registry& registry) {
   registry.add(ProblemDescription{.kind = "unspeakable", .make = [](const Options&, const ProblemContext&) {
                                     return std::make_shared<UnspeakableProblem>();
                                   }});
+  registry.add(ProblemDescription{.kind = "unmade", .make = [](const Options&, const ProblemContext&) {
+                                    return std::make_shared<UnmadeProblem>();
+                                  }});
 }
 
 inline Registry registry() {
@@ -146,6 +160,9 @@ inline Registry registry() {
   add_misbehaving(registry, "hanging", hang);
   add_misbehaving(registry, "leaving", [] { std::_Exit(3); });
   add_misbehaving(registry, "throwing", [] { throw std::runtime_error("lost its way"); });
+  add_misbehaving(registry, "throwing-a-number", [] { throw 42; });
+  registry.add(OptimizerDescription{
+      .name = "unmade", .make = [](const Options&) -> std::unique_ptr<Optimizer> { throw 42; }});
   add_misbehaving(registry, "latin", [] { throw std::runtime_error("caf\xE9 ferm\xE9"); });
   add_misbehaving(registry, "talkative", [] { throw std::runtime_error(std::string(300000, 'x')); });
   add_misbehaving(registry, "piping", [] { std::raise(SIGPIPE); });

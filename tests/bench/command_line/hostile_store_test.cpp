@@ -108,6 +108,33 @@ TEST_F(HostileStore, IsDrawnFromRegularFilesBelowTheStudyOnly) {
   EXPECT_FALSE(contains(page(), "secret"));
 }
 
+// What stands where its report goes is replaced if it is a link, never followed, and refused if it is a pipe, without
+// waiting for whoever reads from it.
+TEST_F(HostileStore, IsNotWrittenThrough) {
+  for (const std::string file : {"report.html", "summary.csv"}) {
+    for (const std::vector<std::string>& command :
+         {std::vector<std::string>{"report", "results/quick"}, {"compare", "quick.toml"}}) {
+      folder_.write("victim", "kept\n");
+      std::filesystem::remove(store() / file);
+      std::filesystem::create_symlink(folder_.path() / "victim", store() / file);
+      const Output linked = run(folder_, command);
+      EXPECT_EQ(linked.exit, 0) << linked.err;
+      EXPECT_EQ(read_file(folder_.path() / "victim"), "kept\n");
+      EXPECT_FALSE(std::filesystem::is_symlink(store() / file));
+      EXPECT_GT(std::filesystem::file_size(store() / file), 100u);
+
+      std::filesystem::remove(store() / file);
+      ASSERT_EQ(::mkfifo((store() / file).c_str(), 0600), 0);
+      const Output piped = run(folder_, command);
+      EXPECT_EQ(piped.exit, 2);
+      EXPECT_TRUE(contains(piped.err, "cannot write 'results/quick/" + file + "': it is no regular file; remove it\n"))
+          << piped.err;
+      EXPECT_TRUE(contains(piped.out, "annealing (baseline)")) << piped.out;  // the table is shown all the same
+      std::filesystem::remove(store() / file);
+    }
+  }
+}
+
 TEST_F(HostileStore, IsNotDrawnWhereThatCostsMuch) {
   const auto began = std::chrono::steady_clock::now();
   expect_no_picture(report_of_text("[problem]\nkind = \"elastic\"\npoints = { counts = [1000, 1000] }\n"),
@@ -123,6 +150,56 @@ TEST_F(HostileStore, IsNotDrawnWhereThatCostsMuch) {
   expect_no_picture(report_of_text(deep + " = 1\n"), "");
   const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - began;
   EXPECT_LT(spent.count(), 15.0);  // each alone took minutes
+}
+
+// A comparison of a net from a file, which its folder may not have any more when the report is made again.
+class StoreOfFiles : public HostileStore {
+ protected:
+  StoreOfFiles() {
+    folder_.write("quick.toml", text());
+    write_nodes("2,2");
+    EXPECT_EQ(run(folder_, {"compare", "quick.toml", "--fresh"}).exit, 0);
+  }
+
+  static std::string text() {
+    std::string text = kQuickStudy;
+    return text.replace(
+        text.find("points = { counts = [3, 3] }"), 28,
+        "body = { size = [4, 4] }\npoints = { file = \"nodes.csv\" }\nsprings = { topology = \"nearest\", "
+        "nearest = 5 }\nloads = { supports = \"minimal\" }");
+  }
+  void write_nodes(const std::string& middle) {
+    folder_.write("nodes.csv", "x,y\n0,0\n2,0\n4,0\n0,2\n" + middle + "\n4,2\n0,4\n2,4\n4,4\n");
+  }
+  Output report() { return run(folder_, {"report", "results/quick"}); }
+};
+
+TEST_F(StoreOfFiles, HasPicturesWhileNothingChanges) {
+  EXPECT_TRUE(contains(page(), "<svg class=\"plate"));
+  EXPECT_EQ(report().exit, 0);
+  EXPECT_TRUE(contains(page(), "<svg class=\"plate"));
+}
+
+TEST_F(StoreOfFiles, HasNoPicturesOfAnotherStudyInItsFolder) {
+  folder_.write("quick.toml", text() + "# changed\n");
+  expect_no_picture(report(), "the study names files, and '");
+  EXPECT_TRUE(contains(report().err, "quick.toml' is not the study that the store was made of\n"));
+  std::filesystem::remove(folder_.path() / "quick.toml");
+  expect_no_picture(report(), "the study names files, and '");
+}
+
+// The study is as it was, the net is not: its springs number the same, or they don't.
+TEST_F(StoreOfFiles, HasNoPicturesOfAnotherNet) {
+  write_nodes("2.2,2.1");
+  expect_no_picture(report(),
+                    "the best trial of 'elastic' is of another system than the study and its files now: G was ");
+  write_nodes("2,2\n1,1");
+  const Output more = report();
+  expect_no_picture(more, "the best trial of 'elastic' is of another system than the study and its files now: ");
+  EXPECT_TRUE(contains(more.err, " coordinates, not ")) << more.err;
+  write_nodes("2,2");
+  EXPECT_EQ(report().exit, 0);
+  EXPECT_TRUE(contains(page(), "<svg class=\"plate"));
 }
 
 TEST_F(HostileStore, WithoutItsStudyHasNoPictures) {

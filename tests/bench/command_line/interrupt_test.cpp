@@ -56,7 +56,7 @@ TEST_P(Interrupted, ComparisonKeepsWhatFinishedAndGoesOnLater) {
   EXPECT_EQ(keys.size(), 6u);
   EXPECT_EQ(count_lines(trials), 6u);
 }
-INSTANTIATE_TEST_SUITE_P(Signals, Interrupted, testing::Values(SIGINT, SIGTERM));
+INSTANTIATE_TEST_SUITE_P(Signals, Interrupted, testing::Values(SIGINT, SIGTERM, SIGHUP));
 
 // Killed outright it leaves whole lines, and perhaps one that is cut off.
 TEST(Killed, ComparisonGoesOnFromWhatIsWhole) {

@@ -89,6 +89,31 @@ TEST_F(ForeignFiles, ColumnsCanBeNamedAndTheOthersAreSaidToBeLeftOut) {
             "study.toml:6: 'columns' names no column; say which to read, or leave it out");
 }
 
+// What a refusal says of 'columns', put where it belongs, reads the table that was refused.
+TEST_F(ForeignFiles, AdviceAboutColumnsCanBePasted) {
+  struct Row {
+    const char *file, *text;
+  };
+  for (const Row& row : {Row{"nodes.csv", "id,x,y\n1,0,0\n2,4,0\n3,2,3\n"},
+                         {"nodes.csv", "Nr,X [m],Y [m],colour\n1,0,0,red\n2,4,0,red\n3,2,3,blue\n"},
+                         {"nodes.csv", "nod,x,y\n1,0,0\n2,4,0\n3,2,3\n"},
+                         {"springs.csv", "first,second,stifness\n1,2,5\n1,3,5.5\n2,3,5.5\n"},
+                         {"springs.csv", "bar,frist,secnd,stiffness\nA,1,2,5\nB,1,3,5.5\nC,2,3,5.5\n"},
+                         {"disp.csv", "id,ux,uy\n3,0.1,-0.2\n"},
+                         {"disp.csv", "Node,UX (m),UY (m),RZ\n3,0.1,-0.2,7\n"}}) {
+    write("nodes.csv", "node,x,y\n1,0,0\n2,4,0\n3,2,3\n");
+    write("springs.csv", "first,second,stiffness\n1,2,5\n1,3,5.5\n2,3,5.5\n");
+    write("disp.csv", "node,ux,uy\n3,0.1,-0.2\n");
+    write(row.file, row.text);
+    const std::string message = refusal(study());
+    const std::size_t begin = message.find("columns = {");
+    ASSERT_NE(begin, std::string::npos) << row.text << message;
+    const std::string advice = ", " + message.substr(begin, message.find('}', begin) + 1 - begin);
+    const bool nodes = row.file == std::string("nodes.csv"), springs = row.file == std::string("springs.csv");
+    expect_the_triangle(study(nodes ? advice : "", springs ? advice : "", nodes || springs ? "" : advice), advice);
+  }
+}
+
 TEST_F(ForeignFiles, MillimetresAreScaled) {
   write("disp.csv", "x,y,ux,uy\n2000,3000,100,-200\n");
   EXPECT_EQ(refusal(study()),

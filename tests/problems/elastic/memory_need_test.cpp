@@ -2,8 +2,12 @@
 #include "scene/memory_need.h"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
+
+#include <algorithm>
 
 #include "../../support/messages.h"
+#include "plate.h"
 
 namespace nodal::elastic {
 namespace {
@@ -29,6 +33,34 @@ TEST(MemoryNeed, IsRefusedWithItsSize) {
       "the 30 GB that there are; take fewer nodes");
   EXPECT_EQ(toy::message_of([&] { require_memory(1'000'000, 1, 1.3e10, source); }), "(nothing was thrown)");
   EXPECT_EQ(toy::message_of([&] { require_memory(25, 4, available_memory(), source); }), "(nothing was thrown)");
+}
+
+// A process may be given less than the machine has.
+class AddressSpace {
+ public:
+  explicit AddressSpace(rlim_t bytes) {
+    ::getrlimit(RLIMIT_AS, &former_);
+    const rlimit limit{std::min(bytes, former_.rlim_max), former_.rlim_max};
+    ::setrlimit(RLIMIT_AS, &limit);
+  }
+  ~AddressSpace() { ::setrlimit(RLIMIT_AS, &former_); }
+  AddressSpace(const AddressSpace&) = delete;
+  AddressSpace& operator=(const AddressSpace&) = delete;
+
+ private:
+  rlimit former_{};
+};
+
+// The largest grid that may be asked for, at once and not after a minute of filling the memory.
+TEST(MemoryNeed, OfTheLargestGridIsRefused) {
+  const AddressSpace limit(8'000'000'000);
+  const std::string message = toy::message_of([] { (void)make_plate({.counts = "[1000, 1000]"}); });
+  EXPECT_TRUE(
+      message.starts_with("plate.toml:7: 1000000 nodes under 4 groups of supports need about 24 GB of memory, "
+                          "more than three quarters of the "))
+      << message;
+  EXPECT_TRUE(
+      toy::message_of([] { (void)make_plate({.counts = "[1000, 1001]"}); }).ends_with("more than 1000000 nodes"));
 }
 
 }  // namespace
