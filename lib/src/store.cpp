@@ -113,7 +113,8 @@ Store Store::open_existing(const std::filesystem::path& directory) {
     throw InputError(fmt::format("'{}' is not a store: it has no {}; give the directory that nodal compare wrote",
                                  directory.string(), kManifest));
   Store store(std::make_unique<State>(directory));
-  if (const Value last = last_provenance(store.manifest()); !last.table().empty()) store.state_->warn_of_origins(last, "last run's");
+  if (const Value last = last_provenance(store.manifest()); !last.table().empty())
+    store.state_->warn_of_origins(last, "last run's");
   return store;
 }
 

@@ -29,7 +29,8 @@ OptionSchema budget_schema() {
 OptionSchema problem_entry_schema() {
   return {
       {.name = "kind", .type = OptionType::text, .required = true, .help = "which problem: see nodal list problems"},
-      {.name = "label", .type = OptionType::text, .default_text = "kind", .help = "names it in tables; unique, at most 100 characters"},
+      {.name = "label", .type = OptionType::text, .default_text = "kind",
+       .help = "names it in tables; unique, at most 100 characters"},
       {.name = "best_known", .type = OptionType::table, .default_text = "the problem's own, if it knows one",
        .help = "G*: the quality that gaps are measured against",
        .fields = {{.name = "quality", .type = OptionType::number, .required = true, .minimum = 0.0,
@@ -42,7 +43,8 @@ OptionSchema optimizer_entry_schema() {
   return {
       {.name = "use", .type = OptionType::text, .required = true, .help = "which method: see nodal list optimizers"},
       {.name = "label", .type = OptionType::text, .default_text = "use",
-       .help = "names it in tables; unique, at most 100 characters, not failed or contaminated, which --rerun means otherwise"},
+       .help = "names it in tables; unique, at most 100 characters, not failed or contaminated, which --rerun means "
+               "otherwise"},
       {.name = "baseline", .type = OptionType::boolean, .default_value = false,
        .help = "the one that the others are stated as multiples of; one at most"},
       {.name = "multi_start", .type = OptionType::boolean, .default_value = false,

@@ -12,8 +12,6 @@
 namespace nodal::program {
 namespace {
 
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
-
 // The start of the folder's quick.toml, a grid of 3 × 3 nodes, as a stiffness file: diagonals at one stiffness, other
 // springs at another, or as they were.
 void write_start(const Folder& folder, const std::string& file, std::optional<double> others, double diagonals) {
