@@ -81,7 +81,7 @@ void add_rerun(CLI::App& command, CompareArguments& to) {
   CLI::Option* rerun =
       command
           .add_option("--rerun", to.rerun,
-                      "Run stored trials again: of these optimizers, those that 'failed', or those that are "
+                      "Run stored trials again: of these optimizers (as for --only), those that 'failed', or those that are "
                       "'contaminated'; the results before stay in their files")
           ->type_name("LABEL,…");
   command.add_flag("--fresh", to.fresh, "Run every trial of the study again")->excludes(rerun);
@@ -97,7 +97,8 @@ void add_compare(CLI::App& app, const Registry& registry, int& exit) {
       ->type_name("DIR");
   command
       .add_option("--only", to->overrides.only,
-                  "Only the optimizers with these labels, separated by commas; may be repeated")
+                  "Only the optimizers with these labels, or with a 'use' that one entry has, separated by commas; may be "
+                  "repeated")
       ->type_name("LABEL,…");
   add_rerun(command, *to);
   add_repeats(command, to->overrides);

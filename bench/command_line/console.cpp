@@ -2,7 +2,6 @@
 #include "console.h"
 
 #include <fcntl.h>
-#include <poll.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -11,8 +10,10 @@
 #include <streambuf>
 #include <string>
 
+#include <nodal/file.h>
+#include <nodal/shown.h>
+
 #include "commands.h"
-#include "report/printable.h"
 
 namespace nodal {
 
@@ -25,22 +26,6 @@ void open_if_closed(int descriptor) {
   // The lowest free descriptor is the one that is closed, since those below it have been looked at.
   const int opened = ::open("/dev/null", descriptor == STDIN_FILENO ? O_WRONLY : O_RDONLY);
   if (opened >= 0 && opened != descriptor) ::close(opened);
-}
-
-// 0, or why not all of it was written.
-int write_all(int descriptor, std::string_view text) {
-  while (!text.empty()) {
-    const ssize_t written = ::write(descriptor, text.data(), text.size());
-    if (written >= 0) {
-      text.remove_prefix(static_cast<std::size_t>(written));
-    } else if (errno == EAGAIN) {  // a terminal or pipe that another program has made non-blocking
-      pollfd ready{descriptor, POLLOUT, 0};
-      ::poll(&ready, 1, -1);
-    } else if (errno != EINTR) {
-      return errno;
-    }
-  }
-  return 0;
 }
 
 }  // namespace
@@ -59,7 +44,7 @@ class ConsoleBuffer final : public std::streambuf {
 
   // At the end half a character won't become whole any more.
   void finish() {
-    put(report::printable(waiting_, report::Breaks::keep));
+    put(printable(waiting_, Breaks::keep));
     waiting_.clear();
   }
 
@@ -77,8 +62,8 @@ class ConsoleBuffer final : public std::streambuf {
   }
 
   int sync() override {
-    const std::size_t rest = report::unfinished_bytes(waiting_);
-    put(report::printable(std::string_view(waiting_).substr(0, waiting_.size() - rest), report::Breaks::keep));
+    const std::size_t rest = unfinished_bytes(waiting_);
+    put(printable(std::string_view(waiting_).substr(0, waiting_.size() - rest), Breaks::keep));
     waiting_.erase(0, waiting_.size() - rest);
     return error_ == 0 ? 0 : -1;
   }
@@ -122,7 +107,7 @@ int Console::finish(int exit) {
   return kExitBadInput;
 }
 
-void say(std::string_view kind, std::string_view text) { std::cerr << kind << ": " << report::printable(text) << '\n'; }
+void say(std::string_view kind, std::string_view text) { std::cerr << kind << ": " << printable(text) << '\n'; }
 
 void send_control(std::ostream& out, std::string_view sequence) {
   if (auto* buffer = dynamic_cast<ConsoleBuffer*>(out.rdbuf()))

@@ -2,7 +2,6 @@
 #include "fit_method.h"
 
 #include <algorithm>
-#include <string_view>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -101,24 +100,11 @@ void refuse_what_it_lacks(const Problem& problem, const StudyOptimizer& optimize
     throw InputError(Source{"--with", 0}, fmt::format("optimizer '{}' {}", optimizer.label, refusal));
 }
 
-namespace {
-
-// What the adapters say where their own number of iterations or evaluations ended a search (Ceres, NLopt, ours).
-constexpr std::string_view kOwnLimits[] = {"Maximum number of iterations", "number of evaluations is spent",
-                                           "own time is spent", "max_iterations done"};
-
-bool ran_into_own_limit(const TrialRecord& record) {
-  return std::ranges::any_of(kOwnLimits,
-                             [&](std::string_view limit) { return record.reason.find(limit) != std::string::npos; });
-}
-
-}  // namespace
-
 std::string ending_text(const TrialRecord& record, const Problem& problem, const Registry& registry) {
   if (record.end == End::budget) return "stopped by its budget, not converged; more by --seconds or --evaluations";
   if (record.end == End::target) return "stopped at its target";
   if (record.end != End::finished) return std::string(to_string(record.end));
-  if (ran_into_own_limit(record)) return "stopped by the method's own limit, not converged";
+  if (record.limited) return "stopped by the method's own limit, not converged";
   const OptimizerDescription* description = registry.find_optimizer(record.use);
   const bool descends = description && !description->needs.names().empty();
   if (!descends || !record.best) return "done, which by this method proves no optimum";

@@ -15,35 +15,8 @@ namespace nodal {
 
 namespace fs = std::filesystem;
 
-namespace {
-
-// Where a name leads: through links, also one whose target is yet to be made.
-fs::path target_of(const fs::path& path) {
-  std::error_code error;
-  if (fs::exists(path, error)) return fs::canonical(path, error);
-  if (fs::is_symlink(path, error)) return path.parent_path() / fs::read_symlink(path, error);
-  return path;
-}
-
-// Empty when replace_file can write there.
-std::string why_not(const fs::path& path) {
-  std::error_code error;
-  const fs::path target = target_of(path);
-  const fs::file_status status = fs::status(target, error);
-  if (fs::is_directory(status)) return "it is a folder";
-  if (fs::exists(status) && !fs::is_regular_file(status))
-    return ::access(target.c_str(), W_OK) == 0 ? "" : "it may not be written";
-  const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
-  if (!fs::is_directory(folder, error)) return fmt::format("there is no folder '{}'", folder.string());
-  if (::access(folder.c_str(), W_OK | X_OK) != 0)
-    return fmt::format("the folder '{}' may not be written", folder.string());
-  return {};
-}
-
-}  // namespace
-
 void refuse_unwritable(const std::string& option, const std::string& path) {
-  if (const std::string why = why_not(path); !why.empty())
+  if (const std::string why = replace_refusal(path); !why.empty())
     throw InputError(
         Source{option, 0},
         fmt::format("cannot write '{}': {}; give a file in a folder that exists and may be written", path, why));

@@ -7,8 +7,7 @@
 
 namespace nodal {
 
-/// InputError naming the option when replace_file (file.h) could not write there: a folder, a folder that is not there
-/// or may not be written, a device that may not. Devices and FIFOs are looked at, not opened: they would wait.
+/// InputError naming the option when replace_file could not write there: `replace_refusal` (file.h).
 void refuse_unwritable(const std::string& option, const std::string& path);
 /// The same for a picture, whose name must end in ".svg", in either case: so that no study or stiffness file is
 /// overwritten by one.

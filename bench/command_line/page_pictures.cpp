@@ -12,10 +12,10 @@
 #include <fmt/format.h>
 
 #include <nodal/agreement.h>
+#include <nodal/child_process.h>
 #include <nodal/file.h>
 #include <nodal/toml.h>
 
-#include "child_process.h"
 #include "report/html.h"
 #include "report/plates.h"
 

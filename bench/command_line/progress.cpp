@@ -6,8 +6,9 @@
 
 #include <fmt/format.h>
 
+#include <nodal/shown.h>
+
 #include "console.h"
-#include "report/printable.h"
 
 namespace nodal {
 
@@ -54,7 +55,7 @@ void Progress::draw(const std::string& what, std::size_t done, std::size_t total
   std::string bar;
   for (std::size_t i = 0; i < kBarWidth; ++i) bar += i < filled ? "█" : "░";
   send_control(std::cerr, "\r");
-  std::cerr << fmt::format("{} {}/{} {}  {}", bar, done, total, time_left(done, total), report::printable(what));
+  std::cerr << fmt::format("{} {}/{} {}  {}", bar, done, total, time_left(done, total), printable(what));
   send_control(std::cerr, "\x1b[K");  // clears what a longer line before has left
   std::cerr << std::flush;
   open_ = true;
@@ -80,7 +81,7 @@ std::string trial_line(const TrialRecord& record) {
   line += fmt::format("{} evaluations, {:.3g} s ({}{}{}){}", record.counts.evaluations, record.seconds.total,
                       to_string(record.end), record.reason.empty() ? "" : ": ", record.reason,
                       why.empty() ? "" : "; contaminated: " + why);
-  return report::printable(line);
+  return printable(line);
 }
 
 }  // namespace nodal

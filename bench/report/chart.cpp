@@ -79,7 +79,8 @@ Value chart_value(const ProblemReport& problem, std::span<const Axis> axes) {
   if (sane(reference.best_quality)) value.set("best", reference.best_quality);
   value.set("provisional", reference.provisional);
   // A start at G* has no gap to be measured in.
-  if (const auto& start = problem.table.start_quality; start && sane(*start) && !problem.table.start_is_best)
+  const bool has_gaps = !problem.table.start_is_best && !reference.unimproved;
+  if (const auto& start = problem.table.start_quality; start && sane(*start) && has_gaps)
     value.set("start", *start);
   if (problem.error_per_quality && sane(*problem.error_per_quality))
     value.set("errorPerQuality", *problem.error_per_quality);

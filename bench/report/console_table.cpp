@@ -4,9 +4,10 @@
 
 #include <fmt/format.h>
 
+#include <nodal/shown.h>
+
 #include "left_out.h"
 #include "number_text.h"
-#include "printable.h"
 #include "report.h"
 #include "table.h"
 

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <nodal/shown.h>
+
 #include "number_text.h"
 #include "report.h"
 
@@ -14,12 +16,13 @@ constexpr std::array<Axis, 3> kAxes = {Axis::seconds, Axis::evaluations, Axis::w
 
 // A spreadsheet computes a cell that begins like a formula, quoted or not; with an apostrophe it is text.
 std::string harmless(const std::string& text) {
-  return !text.empty() && std::string_view("=+-@\t\r").find(text[0]) != std::string_view::npos ? "'" + text : text;
+  return !text.empty() && std::string_view("=+-@").find(text[0]) != std::string_view::npos ? "'" + text : text;
 }
 
+// Whoever shows the file in a terminal is safe from what a text holds.
 std::string quoted(const std::string& label) {
-  const std::string text = harmless(label);
-  if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
+  const std::string text = harmless(printable(label));
+  if (text.find_first_of(",\"") == std::string::npos) return text;
   std::string result = "\"";
   for (const char c : text) result += c == '"' ? std::string("\"\"") : std::string(1, c);
   return result + "\"";

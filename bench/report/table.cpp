@@ -9,8 +9,6 @@
 
 #include <fmt/format.h>
 
-#include <nodal/agreement.h>
-
 #include "number_text.h"
 
 namespace nodal::report {
@@ -184,11 +182,10 @@ std::string describe_reference(const ProblemReport& problem) {
     text = "G at the start " + figure_text(*table.start_quality, kDigits);
     if (table.start_relative_error)
       text += fmt::format(" (relative error {})", figure_text(*table.start_relative_error, kDigits));
-    const bool is_perfect = table.start_relative_error && *table.start_relative_error <= kRaceAccuracy;
     if (table.start_is_best)
-      text += reference.provisional && !is_perfect
-                  ? ", which no trial has improved: gaps, and times to them, say nothing until a better G* is known"
-                  : ", the best there is: every trial has reached each gap at its start";
+      text += ", the best there is: every trial has reached each gap at its start";
+    else if (reference.unimproved)
+      text += ", which no trial has improved: gaps, and times to them, say nothing until a better G* is known";
     text += "; ";
   }
   if (reference.provisional) return text + "G* = " + best + ", provisional: " + reference.origin;

@@ -62,14 +62,20 @@ std::optional<Quartiles> quartiles_of(std::span<const TrialRecord* const> trials
   return quartiles(std::move(values));
 }
 
+bool improved(const TrialRecord* trial) {
+  if (!trial->best || !trial->best->summary.quality || !trial->start.quality) return false;
+  return *trial->best->summary.quality < *trial->start.quality - measured_to(*trial->start.quality);
+}
+
 ProblemReference reference_of(const std::string& label, const std::optional<KnownOptimum>& known,
                               std::span<const TrialRecord* const> trials) {
-  if (known) return {label, known->quality, known->origin, false};
-  ProblemReference reference{label, kNever, "best of these trials", true};
+  if (known) return {label, known->quality, known->origin, false, false};
+  ProblemReference reference{label, kNever, "best of these trials", true, false};
   for (const TrialRecord* trial : trials)
     if (trial->best && trial->best->summary.quality)
       reference.best_quality = std::min(reference.best_quality, *trial->best->summary.quality);
   if (reference.best_quality == kNever) reference.best_quality = 0.0;
+  reference.unimproved = std::ranges::none_of(trials, improved);
   return reference;
 }
 
@@ -95,6 +101,7 @@ struct Arrival {
 Arrival arrival_of(const TrialRecord& record, const ProblemReference& reference, double gap) {
   if (!record.start.quality) return {};
   if (starts_at_best(record.start, reference)) return {true, nullptr};
+  if (reference.unimproved) return {};
   const double best = reference.best_quality;
   return {false, first_point(record, best + gap * (*record.start.quality - best))};
 }
@@ -237,6 +244,7 @@ bool starts_at_best(const PointSummary& start, const ProblemReference& reference
   const double best = reference.best_quality;
   if (!start.quality) return false;
   if (start.cost && std::abs(*start.cost) <= kPerfectCost) return true;
+  if (reference.unimproved) return false;
   return *start.quality <= best + (reference.provisional ? measured_to(best) : known_to(best));
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "child_process.h"
+#include <nodal/child_process.h>
 
 #include <fcntl.h>
 #include <signal.h>
@@ -11,24 +11,19 @@
 #include <cstring>
 #include <initializer_list>
 #include <system_error>
+#include <type_traits>
+
+#include <nodal/file.h>
 
 namespace nodal {
 
 namespace {
 
+static_assert(std::is_same_v<pid_t, int>);  // as the header has it, which knows no system
+
 constexpr int kWorkThrew = 70;
 // A killed process is gone at once, unless the kernel waits for a device or a server on its behalf.
 constexpr int kMostMillisecondsToDie = 2000;
-
-bool write_all(int descriptor, std::string_view text) {
-  while (!text.empty()) {
-    const ssize_t written = ::write(descriptor, text.data(), text.size());
-    if (written < 0 && errno == EINTR) continue;
-    if (written < 0) return false;
-    text.remove_prefix(static_cast<std::size_t>(written));
-  }
-  return true;
-}
 
 // What the child does; it never returns into the copy of the parent's stack.
 [[noreturn]] void run_child(const std::function<std::string()>& work, int out, pid_t parent) {
@@ -40,7 +35,7 @@ bool write_all(int descriptor, std::string_view text) {
   if (::getppid() != parent) ::_exit(kWorkThrew);  // the parent was gone before the line above
   int status = kWorkThrew;
   try {
-    if (write_all(out, work() + "\n")) status = 0;
+    if (write_all(out, work() + "\n") == 0) status = 0;
   } catch (...) {
   }
   ::_exit(status);

@@ -2,11 +2,13 @@
 #include <nodal/file.h>
 
 #include <fcntl.h>
+#include <poll.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <cstring>
+#include <system_error>
 
 #include <fmt/format.h>
 
@@ -102,6 +104,19 @@ std::string extension_of(const fs::path& path) {
 
 namespace {
 
+constexpr int kMostLinks = 40;  // as the system allows
+
+// Where a name leads: through links, also where the last one's target is yet to be made.
+fs::path target_of(const fs::path& path, std::error_code& error) {
+  std::error_code none;
+  if (fs::exists(path, none)) return fs::canonical(path, error);
+  fs::path target = path;
+  for (int links = 0; links < kMostLinks && fs::is_symlink(target, none); ++links)
+    target = target.parent_path() / fs::read_symlink(target, none);
+  if (fs::is_symlink(target, none)) error = std::make_error_code(std::errc::too_many_symbolic_link_levels);
+  return target;
+}
+
 void replace_where_it_stands(const fs::path& path, std::string_view content) {
   struct stat status {};
   const bool there = ::lstat(path.c_str(), &status) == 0;
@@ -122,21 +137,43 @@ void write_into(const fs::path& path, std::string_view content) {
 void replace_file(const fs::path& path, std::string_view content, Links links) {
   if (links == Links::replace) return replace_where_it_stands(path, content);
   struct stat status {};
-  if (::stat(path.c_str(), &status) != 0) {
-    std::error_code none;
-    // A link that points nowhere yet: its target is made.
-    const fs::path target = fs::is_symlink(path, none) ? path.parent_path() / fs::read_symlink(path, none) : path;
-    write_beside_and_rename(target, path, kOrdinaryMode, content);
-  } else if (S_ISDIR(status.st_mode)) {
-    refuse_write(path, EISDIR);
-  } else if (S_ISREG(status.st_mode)) {
-    std::error_code error;
-    const fs::path target = fs::canonical(path, error);
-    if (error) refuse_write(path, error.value());
-    write_beside_and_rename(target, path, status.st_mode & 07777, content);
-  } else {
-    write_into(path, content);
+  const bool there = ::stat(path.c_str(), &status) == 0;
+  if (there && S_ISDIR(status.st_mode)) refuse_write(path, EISDIR);
+  if (there && !S_ISREG(status.st_mode)) return write_into(path, content);
+  std::error_code error;
+  const fs::path target = target_of(path, error);
+  if (error) refuse_write(path, error.value());
+  write_beside_and_rename(target, path, there ? status.st_mode & 07777 : kOrdinaryMode, content);
+}
+
+std::string replace_refusal(const fs::path& path) {
+  std::error_code error;
+  const fs::path target = target_of(path, error);
+  if (error) return error.message();
+  const fs::file_status status = fs::status(target, error);
+  if (fs::is_directory(status)) return "it is a folder";
+  if (fs::exists(status) && !fs::is_regular_file(status))
+    return ::access(target.c_str(), W_OK) == 0 ? "" : "it may not be written";
+  const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
+  if (!fs::is_directory(folder, error)) return fmt::format("there is no folder '{}'", folder.string());
+  if (::access(folder.c_str(), W_OK | X_OK) != 0)
+    return fmt::format("the folder '{}' may not be written", folder.string());
+  return {};
+}
+
+int write_all(int descriptor, std::string_view text) {
+  while (!text.empty()) {
+    const ssize_t written = ::write(descriptor, text.data(), text.size());
+    if (written >= 0) {
+      text.remove_prefix(static_cast<std::size_t>(written));
+    } else if (errno == EAGAIN) {  // a terminal or pipe that another program has made non-blocking
+      pollfd ready{descriptor, POLLOUT, 0};
+      ::poll(&ready, 1, -1);
+    } else if (errno != EINTR) {
+      return errno;
+    }
   }
+  return 0;
 }
 
 }  // namespace nodal

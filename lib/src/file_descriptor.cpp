@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include <nodal/error.h>
+#include <nodal/file.h>
 
 namespace nodal {
 
@@ -36,12 +37,7 @@ FileDescriptor::FileDescriptor(const fs::path& path, int flags, mode_t mode, fs:
 FileDescriptor::~FileDescriptor() { ::close(descriptor_); }
 
 void FileDescriptor::write(std::string_view text) {
-  while (!text.empty()) {
-    const ssize_t written = ::write(descriptor_, text.data(), text.size());
-    if (written < 0 && errno == EINTR) continue;
-    if (written < 0) refuse_write(shown_, errno);
-    text.remove_prefix(static_cast<std::size_t>(written));
-  }
+  if (const int error = write_all(descriptor_, text); error != 0) refuse_write(shown_, error);
 }
 
 void FileDescriptor::flush() {

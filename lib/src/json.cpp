@@ -11,8 +11,6 @@
 
 #include <nodal/shown.h>
 
-#include "utf8.h"
-
 namespace nodal {
 
 namespace {

@@ -54,13 +54,18 @@ Meter::Meter(const Problem& problem, Evaluator& evaluator, std::span<const doubl
   start_ = evaluator_.value(start);
   if (start_.ok() && !std::isfinite(start_.cost)) start_.status = Status::invalid_input;
   keep_last_point(start, start_);
-  if (start_.ok()) improve(start, start_.cost, kNoCoordinate, 0.0);
+  try {
+    if (start_.ok()) improve(start, start_.cost, kNoCoordinate, 0.0);
+  } catch (...) {
+    start_thrown_ = std::current_exception();
+  }
   previous_sample_ = Clock::now();
 }
 
 Meter::~Meter() = default;
 
 void Meter::set_target(double quality) {
+  if (start_thrown_) std::rethrow_exception(start_thrown_);
   target_quality_ = quality;
   if (has_best() && problem_.quality(best_cost_) <= quality) stop_ = Stop::target;
 }

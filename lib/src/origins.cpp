@@ -73,7 +73,8 @@ Value last_provenance(const Value& manifest) {
 }
 
 std::vector<std::string> origin_warnings(const std::string& store, const Value& manifest,
-                                         std::span<const TrialRecord> records, const Value& here) {
+                                         std::span<const TrialRecord> records, const Value& here,
+                                         const std::string& whose) {
   std::map<std::string, std::string> names;  // of builds, by id
   const std::vector<Value> runs = provenances(manifest);
   for (const Value& run : runs) names.emplace(build_id(run), name_of(run));
@@ -92,14 +93,14 @@ std::vector<std::string> origin_warnings(const std::string& store, const Value& 
   std::vector<std::string> warnings;
   for (const auto& [id, trials] : builds)
     warnings.push_back(fmt::format(
-        "'{}' holds results of another build ({}; the present one is {}): {}. Results and times may differ; "
+        "'{}' holds results of another build ({}; the {} is {}): {}. Results and times may differ; "
         "--rerun LABEL or --fresh runs them again",
-        store, names.contains(id) ? names.at(id) : "unknown", name_of(here), trials.text()));
+        store, names.contains(id) ? names.at(id) : "unknown", whose, name_of(here), trials.text()));
   for (const auto& [name, trials] : processors)
     warnings.push_back(fmt::format(
-        "'{}' holds results of another processor ({}; the present one is {}): {}. Times don't compare, and last digits "
+        "'{}' holds results of another processor ({}; the {} is {}): {}. Times don't compare, and last digits "
         "differ where a study leaves the choice of instructions to the machine",
-        store, name, processor, trials.text()));
+        store, name, whose, processor, trials.text()));
   return warnings;
 }
 

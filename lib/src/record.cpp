@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <nodal/shown.h>
+
 #include "record_archive.h"
 
 namespace nodal {
@@ -122,6 +124,7 @@ void describe(Archive& archive, T& record,
   archive.field("repeat", record.repeat);
   archive.field("seed", record.seed);
   archive.field("end", record.end);
+  archive.unusual("limited", record.limited, false);
   archive.field("reason", record.reason);
   archive.field("options", record.options);
   archive.table("start", record.start);
@@ -162,6 +165,7 @@ TrialRecord parse_record(std::string_view line, const std::string& name) {
   WorkAndUnit work;
   Reader reader(value, "", name);
   describe(reader, record, work);
+  record.reason = beginning(record.reason, kMostOfAReason);  // those of older builds are whole
   record.work = work.work;
   record.flops_per_value = work.flops_per_value;
   constexpr std::int64_t kMostAttempts = 1'000'000'000;  // the next one is counted on

@@ -9,6 +9,19 @@
 
 namespace nodal {
 
+namespace {
+
+constexpr const char* kFailed = "failed";
+constexpr const char* kContaminated = "contaminated";
+
+}  // namespace
+
+std::string meaning_for_rerun(const std::string& word) {
+  if (word == kFailed) return "the trials that failed";
+  if (word == kContaminated) return "the trials that were disturbed";
+  return {};
+}
+
 bool Rerun::means(const TrialRecord& stored) const {
   return all || (failed && is_failure(stored.end)) || (contaminated && !contamination(stored).empty()) ||
          std::ranges::find(optimizers, stored.optimizer) != optimizers.end();
@@ -18,10 +31,9 @@ Rerun read_rerun(const Study& study, const std::vector<std::string>& words, bool
   Rerun rerun;
   rerun.all = fresh;
   for (const std::string& word : split_choice(study, words)) {
-    const bool is_label = std::ranges::find(study.optimizers, word, &StudyOptimizer::label) != study.optimizers.end();
-    if (word == "failed" && !is_label) {
+    if (word == kFailed) {
       rerun.failed = true;
-    } else if (word == "contaminated" && !is_label) {
+    } else if (word == kContaminated) {
       rerun.contaminated = true;
     } else {
       const StudyOptimizer& optimizer = study.optimizers[chosen_optimizer(study, word, "--rerun")];

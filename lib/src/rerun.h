@@ -18,6 +18,10 @@ struct Rerun {
   [[nodiscard]] bool means(const TrialRecord& stored) const;
 };
 
+/// What a word that is no optimizer means for `--rerun`, "failed" or "contaminated", for people; empty for others. No
+/// optimizer of a study may be labelled so.
+[[nodiscard]] std::string meaning_for_rerun(const std::string& word);
+
 /// `words` as `--rerun` gives them: "failed", "contaminated", and optimizers. InputError for others.
 [[nodiscard]] Rerun read_rerun(const Study& study, const std::vector<std::string>& words, bool fresh);
 

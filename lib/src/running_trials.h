@@ -12,9 +12,8 @@
 #include <string>
 #include <vector>
 
+#include <nodal/child_process.h>
 #include <nodal/trial.h>
-
-#include "child_process.h"
 
 namespace nodal {
 

@@ -72,7 +72,8 @@ struct Store::State {
   // Its trial has run since then? A line without a readable key may have been any trial's, as long as one is missing.
   void warn_of_torn(const TornLine& line) {
     if (line.key.empty() ? has_all() : by_key.contains(line.key)) return;
-    warnings.push_back(fmt::format("{}: a line that is no whole record was dropped{}; its trial runs again", line.where, line.why));
+    warnings.push_back(fmt::format("{}: a line that is no whole record was dropped{}; its trial counts as not run",
+                                   line.where, line.why));
   }
 
   bool has_all() const {
@@ -82,8 +83,8 @@ struct Store::State {
                                [this](const Value& key) { return key.is_text() && by_key.contains(key.text()); });
   }
 
-  void warn_of_origins(const Value& here) {
-    for (std::string& warning : origin_warnings(directory.string(), manifest, records, here))
+  void warn_of_origins(const Value& here, const std::string& whose) {
+    for (std::string& warning : origin_warnings(directory.string(), manifest, records, here, whose))
       warnings.push_back(std::move(warning));
   }
 
@@ -112,7 +113,8 @@ Store Store::open_existing(const std::filesystem::path& directory) {
     throw InputError(fmt::format("'{}' is not a store: it has no {}; give the directory that nodal compare wrote",
                                  directory.string(), kManifest));
   Store store(std::make_unique<State>(directory));
-  if (const Value last = last_provenance(store.manifest()); !last.table().empty()) store.state_->warn_of_origins(last);
+  if (const Value last = last_provenance(store.manifest()); !last.table().empty())
+    store.state_->warn_of_origins(last, "last run's");
   return store;
 }
 
@@ -137,14 +139,19 @@ void Store::begin(const Study& study) {
   if (const std::string other = other_study(state.manifest, study); !other.empty())
     state.warnings.push_back(fmt::format("'{}' {}: the report will show this one only; --out DIR keeps them apart",
                                          state.directory.string(), other));
-  if (!state.lock) state.lock = std::make_unique<StoreLock>(state.directory);
+  if (!state.lock) {
+    state.lock = std::make_unique<StoreLock>(state.directory);
+    if (const std::string why = state.lock->trouble(); !why.empty())
+      state.warnings.push_back(fmt::format("'{}' can't be locked ({}): another comparison that writes here goes unnoticed",
+                                           (state.directory / ".lock").string(), why));
+  }
   remove_leftovers(state.directory);
   const StoreLock::Alone alone(*state.lock);
   Value manifest = make_manifest(study, read_manifest(path), here);  // read again: others may have begun since
   replace_file(path, to_json(manifest) + "\n", Links::replace);
   state.manifest = std::move(manifest);
   state.identity = state.present_identity();
-  state.warn_of_origins(here);
+  state.warn_of_origins(here, "present one");
 }
 
 void Store::append(const TrialRecord& record) {

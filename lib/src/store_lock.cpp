@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstring>
 
 namespace nodal {
 
@@ -34,7 +35,12 @@ bool set(int descriptor, off_t byte, int type) noexcept {
 
 StoreLock::StoreLock(const std::filesystem::path& directory)
     : descriptor_(::open((directory / ".lock").c_str(), O_RDWR | O_CREAT | O_NONBLOCK | O_CLOEXEC, 0666)) {
-  set(descriptor_, kWriters, F_RDLCK);
+  if (descriptor_ < 0) {
+    trouble_ = std::strerror(errno);
+    return;
+  }
+  struct flock lock = lock_on(kWriters, F_RDLCK);
+  if (::fcntl(descriptor_, F_SETLK, &lock) != 0 && errno != EACCES && errno != EAGAIN) trouble_ = std::strerror(errno);
 }
 
 StoreLock::~StoreLock() {

@@ -2,13 +2,14 @@
 #pragma once
 
 /// Who else writes to a store: every comparison holds a shared lock on the store's file `.lock` while it lives, and
-/// asks whether another process does. Nobody waits for anybody for long; where the file system has no locks, nobody is
-/// seen.
+/// asks whether another process does. Nobody waits for anybody for long; where there are no locks, nobody is seen, and
+/// `trouble` says why.
 ///
 /// The locks are those of fcntl(2): children don't inherit them, and they tell who holds them.
 
 #include <filesystem>
 #include <optional>
+#include <string>
 
 namespace nodal {
 
@@ -18,6 +19,9 @@ class StoreLock {
   ~StoreLock();
   StoreLock(const StoreLock&) = delete;
   StoreLock& operator=(const StoreLock&) = delete;
+
+  /// Why nobody is seen, "Is a directory"; empty where all is well.
+  [[nodiscard]] const std::string& trouble() const noexcept { return trouble_; }
 
   /// The process of another comparison that writes here now.
   [[nodiscard]] std::optional<int> other_writer() const noexcept;
@@ -37,6 +41,7 @@ class StoreLock {
 
  private:
   int descriptor_;
+  std::string trouble_;
 };
 
 }  // namespace nodal

@@ -13,6 +13,7 @@
 #include <nodal/toml.h>
 
 #include "optimizer_choice.h"
+#include "rerun.h"
 
 namespace nodal {
 
@@ -24,6 +25,8 @@ std::vector<std::string> names_of(const Items& items, std::string Items::value_t
   for (const auto& item : items) names.push_back(item.*member);
   return names;
 }
+
+constexpr std::size_t kMostOfALabel = 100, kMostOfAnOrigin = 1000;  // [characters]
 
 // Reads one study; members are filled in the order of `read`.
 class StudyReader {
@@ -84,6 +87,7 @@ class StudyReader {
 
   void read_study_table() {
     const Options options = section("study", study_schema());
+    require_short(options.has("name") ? &options.at("name") : nullptr, "name", "[study]", kMostOfALabel);
     study_.name = options.has("name") ? options.text("name") : study_.path.stem().string();
     const auto awkward = [](char c) { return c == '/' || c == '\\' || (c >= 0 && c < 0x20); };
     const bool plain = !study_.name.empty() && study_.name[0] != '.' && std::ranges::none_of(study_.name, awkward);
@@ -151,6 +155,7 @@ class StudyReader {
     make(*description, entry, problem);
     if (options.has("best_known")) {
       const Options known = options.table("best_known");
+      require_short(&known.at("origin"), "origin", "best_known", kMostOfAnOrigin);
       problem.best_known = KnownOptimum{known.number("quality"), known.text("origin"), {}};
     } else {
       problem.best_known = problem.problem->known_optimum();
@@ -161,8 +166,15 @@ class StudyReader {
   void make(const ProblemDescription& description, const Value& entry, StudyProblem& problem) const {
     try {
       problem.problem = description.make(problem.options, {study_.path.parent_path(), entry.source});
+    } catch (const InputError&) {  // says where and what
+      throw;
     } catch (const std::bad_alloc&) {
       throw InputError(entry.source, fmt::format("problem '{}' takes more memory than there is; make it smaller",
+                                                 shown(problem.label)));
+    } catch (const std::exception& error) {
+      throw InputError(entry.source, fmt::format("problem '{}' can't be made: {}", shown(problem.label), error.what()));
+    } catch (...) {
+      throw InputError(entry.source, fmt::format("problem '{}' can't be made: an exception that is no std::exception",
                                                  shown(problem.label)));
     }
   }
@@ -173,6 +185,10 @@ class StudyReader {
     optimizer.use = options.text("use");
     optimizer.label = options.has("label") ? options.text("label") : optimizer.use;
     claim_label(optimizer.label, entry, optimizer_labels_, "optimizers", "[[optimizer]]");
+    if (const std::string meaning = meaning_for_rerun(optimizer.label); !meaning.empty())
+      throw InputError(options.has("label") ? options.at("label").source : entry.source,
+                       fmt::format("an optimizer can't be labelled '{}': --rerun {} means {}", optimizer.label,
+                                   optimizer.label, meaning));
     const OptimizerDescription* description = registry_.find_optimizer(optimizer.use);
     if (!description) {
       leave_out(optimizer, options.at("use").source);
@@ -215,11 +231,23 @@ class StudyReader {
                             name_hint(optimizer.use, names_of(registry_.optimizers(), &OptimizerDescription::name))));
   }
 
+  // These texts stand in every row, message and picture that speaks of what they name.
+  static void require_short(const Value* text, const char* key, const char* table, std::size_t most) {
+    if (!text) return;
+    std::size_t characters = 0;
+    for (std::string_view rest = text->text(); !rest.empty(); ++characters)
+      rest.remove_prefix(std::max<std::size_t>(1, utf8_character_size(rest)));
+    if (characters > most)
+      throw InputError(text->source, fmt::format("'{}' of {} has {} characters; at most {} are allowed", key, table,
+                                                 characters, most));
+  }
+
   using Labels = std::vector<std::pair<std::string, Source>>;
   static void claim_label(const std::string& label, const Value& entry, Labels& taken, const char* what,
                           const char* table) {
     if (const Value* given = entry.find("label"); given && label.empty())
       throw InputError(given->source, fmt::format("'label' of {} is empty; it names rows and results", table));
+    require_short(entry.find("label"), "label", table, kMostOfALabel);
     const auto found = std::ranges::find(taken, label, &Labels::value_type::first);
     if (found != taken.end())
       throw InputError(

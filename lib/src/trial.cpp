@@ -6,9 +6,11 @@
 #include <algorithm>
 #include <cmath>
 #include <exception>
+#include <limits>
 #include <stdexcept>
 
 #include <nodal/agreement.h>
+#include <nodal/shown.h>
 
 #include "known_quality.h"
 #include "multi_start.h"
@@ -78,7 +80,6 @@ class Run {
     const std::vector<double> start = trial_start(study_, trial_);
     Meter meter(problem_, *evaluator, start, limits(), began);
     record_.flops_per_value = evaluator->work().flops;
-    set_target(meter);
 
     const double search_began = since();
     const Outcome outcome = search(meter, start);
@@ -110,15 +111,17 @@ class Run {
   void set_target(Meter& meter) const {
     if (!meter.start().ok()) return;
     const double quality = problem_.quality(meter.start().cost);
-    const double target = target_quality(study_, trial_, quality);
+    double target = -std::numeric_limits<double>::infinity();
+    if (std::isfinite(quality)) target = target_quality(study_, trial_, quality);
     const bool perfect = std::isfinite(target) && std::abs(meter.start().cost) <= kPerfectCost;
-    if (std::isfinite(quality)) meter.set_target(perfect ? std::max(target, quality) : target);
+    meter.set_target(perfect ? std::max(target, quality) : target);
   }
 
   // An exception must not lose what the meter has seen: it ends the search, not the record.
   Outcome search(Meter& meter, const std::vector<double>& start) {
     RandomStream random(record_.seed);
     try {
+      set_target(meter);
       const std::unique_ptr<Optimizer> optimizer = make_optimizer(study_.optimizers.at(trial_.optimizer), registry_);
       return optimizer->minimize(meter, start, random);
     } catch (const std::exception& error) {
@@ -152,6 +155,7 @@ class Run {
                      : meter.stop() == Stop::target      ? "target reached"
                      : meter.stop() == Stop::evaluations ? "evaluations spent"
                                                          : "seconds spent";
+    record_.limited = outcome.limited && record_.end == End::finished && !outcome.failed;
     if (outcome.failed) {
       record_.end = End::failed;
       record_.reason = outcome.reason;
@@ -256,13 +260,15 @@ TrialRecord run_trial(const Study& study, const Trial& trial, const Registry& re
     record.end = End::failed;
     record.reason = "an exception that is no std::exception";
   }
+  record.reason = beginning(record.reason, kMostOfAReason);
+  if (record.claimed) record.claimed->status = beginning(record.claimed->status, kMostOfAReason);
   return record;
 }
 
 TrialRecord lost_trial(const Study& study, const Trial& trial, End end, std::string reason) {
   TrialRecord record = blank_record(study, trial);
   record.end = end;
-  record.reason = std::move(reason);
+  record.reason = beginning(reason, kMostOfAReason);
   return record;
 }
 

@@ -34,6 +34,7 @@ std::vector<double> strictly_inside(const Space& space, std::span<const double> 
 
 void judge(Outcome& outcome, const Watch& watch, ::ceres::TerminationType type, const std::string& message) {
   outcome.reason = message;
+  outcome.limited = type == ::ceres::NO_CONVERGENCE;
   if (watch.over() || watch.lowered()) return;
   outcome.failed = type == ::ceres::FAILURE;
   outcome.reason += "; no step lowered the cost";

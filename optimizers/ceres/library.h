@@ -76,7 +76,7 @@ class Watch final : public ::ceres::IterationCallback {
 [[nodiscard]] std::vector<double> strictly_inside(const Space& space, std::span<const double> start);
 
 /// Ceres reports convergence even when its first evaluation failed: so only a lower cost counts as success, and FAILURE
-/// after one is merely how a line search ends where rounding hides the rest.
+/// after one is merely how a line search ends where rounding hides the rest. NO_CONVERGENCE is a limit of its own.
 void judge(Outcome& outcome, const Watch& watch, ::ceres::TerminationType type, const std::string& message);
 
 /// After FAILURE, Ceres says neither what cost it had reached nor where: its summary has −1, its x is the start.

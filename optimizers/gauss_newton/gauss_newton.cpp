@@ -164,10 +164,12 @@ Outcome GaussNewton::minimize(Meter& meter, std::span<const double> start, Rando
     return outcome;
   }
   outcome.reason = "max_iterations done";
+  outcome.limited = true;
   for (int i = 0; i < settings_.max_iterations; ++i) {
     const std::string reason = run.iterate();
     if (reason.empty()) continue;
     outcome.reason = reason;
+    outcome.limited = false;
     break;
   }
   return outcome;

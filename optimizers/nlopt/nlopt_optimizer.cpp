@@ -177,6 +177,7 @@ Outcome NloptOptimizer::minimize(Meter& meter, std::span<const double> start, Ra
 
   Outcome outcome;
   outcome.failed = has_failed(result, meter, objective);
+  outcome.limited = result == NLOPT_MAXEVAL_REACHED || result == NLOPT_MAXTIME_REACHED;
   outcome.reason = reason_of(result, objective, setup.library());
   const char* status = nlopt_result_to_string(result);
   outcome.claim = Claim{cost / objective.scale(), x, nlopt_get_numevals(setup.library()), status ? status : "unknown"};

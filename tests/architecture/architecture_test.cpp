@@ -92,6 +92,18 @@ TEST_F(Planted, OptimizerThatKnowsAnotherIsFound) {
   EXPECT_EQ(breaches(), "optimizers/run/run.cpp:2: includes \"../walk/walk.cpp\", which is not in its unit\n");
 }
 
+TEST_F(Planted, ProgramThatReachesIntoAnotherUnitIsFound) {
+  write("lib/src/lock.h", "");
+  write("optimizers/walk/step.h", "");
+  write("bench/report/page.cpp", "#include \"page.h\"\n#include \"lock.h\"\n#include \"generated.h\"\n");
+  write("bench/report/page.h", "#include \"solver.h\"\n#include \"step.h\"\n");
+  write("bench/micro/lock_time.cpp", "#include \"lock.h\"\n");  // measures it
+  EXPECT_EQ(breaches(),
+            "bench/report/page.cpp:3: includes \"lock.h\", which is private to lib\n"
+            "bench/report/page.h:2: includes \"solver.h\", which is private to problems/plate\n"
+            "bench/report/page.h:3: includes \"step.h\", which is private to optimizers/walk\n");
+}
+
 TEST_F(Planted, LibrarysHeaderInAPublicHeaderIsFound) {
   write("lib/include/nodal/problem.h", "#include <fmt/format.h>\n");
   write("problems/plate/include/nodal/plate/plate.h", "#include <Eigen/Dense>\n#include \"solver.h\"\n");

@@ -98,6 +98,7 @@ class SourceFile {
     if (kind_ == Kind::component) unit_ /= *++part;
     for (const fs::path& step : relative_) public_ = public_ || step == "include";
     public_ = public_ && kind_ != Kind::tests;
+    measures_ = relative_.generic_string().starts_with("bench/micro/");
   }
 
   void check() {
@@ -132,11 +133,28 @@ class SourceFile {
   void check_quoted(const std::string& header) {
     if (public_) return report("a public header includes \"" + header + "\"; public headers are included as <nodal/…>");
     if (kind_ == Kind::lib && header == kGenerated) return;
-    if (kind_ == Kind::bench && !header.starts_with(".."))
-      return;  // its folders are one program, which generates files too
     for (const fs::path& folder : {file_.parent_path(), unit_ / "src", unit_})
       if (exists_in_unit(folder / header)) return;
+    if (kind_ == Kind::bench && !header.starts_with("..")) {  // its folders are one program, which generates files too
+      if (const std::string owner = owner_of(header); !owner.empty() && !measures_)
+        report("includes \"" + header + "\", which is private to " + owner);
+      return;
+    }
     report("includes \"" + header + "\", which is not in its unit");
+  }
+
+  // Whose sources, outside this unit, have a file of that name: a build may add any folder to those that are searched.
+  std::string owner_of(const std::string& header) const {
+    std::vector<fs::path> units = {root_ / "lib"};
+    for (const char* folder : {"problems", "optimizers"}) {
+      if (!fs::is_directory(root_ / folder)) continue;
+      for (const fs::directory_entry& entry : fs::directory_iterator(root_ / folder)) units.push_back(entry.path());
+    }
+    std::ranges::sort(units);
+    for (const fs::path& unit : units)
+      if (fs::is_regular_file(unit / header) || fs::is_regular_file(unit / "src" / header))
+        return unit.lexically_relative(root_).generic_string();
+    return {};
   }
 
   void check_angled(const std::string& header) {
@@ -156,7 +174,7 @@ class SourceFile {
   const fs::path& root_;
   fs::path file_, relative_, unit_;
   Kind kind_ = Kind::lib;
-  bool public_ = false;
+  bool public_ = false, measures_ = false;
   int line_ = 0;
   std::vector<std::string>& breaches_;
 };

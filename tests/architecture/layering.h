@@ -7,6 +7,7 @@
 ///   lib includes only itself, the standard library, the system, and the few libraries it stands on;
 ///   a problem or an optimizer includes lib's public headers, itself, and libraries of its own;
 ///   a public header (below an include/ folder) includes nothing but the standard library and public headers;
+///   bench includes no private header of another unit, but for its micro-benchmarks, which measure such parts;
 ///   nobody includes by a path that leaves its unit, nor asks the preprocessor what is in the build;
 ///   every source begins with the licence.
 

@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include <fcntl.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <csignal>
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
+#include <thread>
 
 #include <nodal/error.h>
 #include <nodal/file.h>
@@ -110,6 +113,50 @@ TEST_F(File, ThatIsADeviceIsWrittenToAndStaysOne) {
   EXPECT_TRUE(fs::is_character_file("/dev/null"));
   const std::string message = message_of<StoreError>([] { replace_file("/dev/full", "text"); });
   EXPECT_TRUE(message.starts_with("cannot write '/dev/full': No space left on device")) << message;
+}
+
+// What is asked before the work is what happens after it.
+TEST_F(File, ThatCantBeReplacedIsKnownBefore) {
+  const fs::path file = folder() / "f", chain = folder() / "chain", loop = folder() / "loop";
+  replace_file(file, "old");
+  EXPECT_EQ(replace_refusal(file), "");
+  EXPECT_EQ(replace_refusal("/dev/null"), "");
+  EXPECT_EQ(replace_refusal(folder()), "it is a folder");
+  EXPECT_EQ(replace_refusal(folder() / "none" / "f"), "there is no folder '" + (folder() / "none").string() + "'");
+  // Links to links: the last one's target is made, wherever it lies.
+  fs::create_directory(folder() / "deep");
+  fs::create_symlink("deep/link", chain);
+  fs::create_symlink("made", folder() / "deep" / "link");
+  EXPECT_EQ(replace_refusal(chain), "");
+  replace_file(chain, "x");
+  EXPECT_EQ(content(folder() / "deep" / "made"), "x");
+  EXPECT_TRUE(fs::is_symlink(folder() / "deep" / "link"));
+  fs::create_symlink("loop", loop);
+  EXPECT_EQ(replace_refusal(loop), "Too many levels of symbolic links");
+  EXPECT_TRUE(message_of<StoreError>([&] { replace_file(loop, "x"); })
+                  .starts_with("cannot write '" + loop.string() + "': Too many levels of symbolic links"));
+  fs::create_symlink("gone/f", folder() / "lost");
+  EXPECT_EQ(replace_refusal(folder() / "lost"), "there is no folder '" + (folder() / "gone").string() + "'");
+}
+
+// A pipe that is full and does not wait: the writer does, until a reader comes.
+TEST_F(File, IsWrittenWholeToAPipeThatDoesNotWait) {
+  int ends[2];
+  ASSERT_EQ(::pipe2(ends, O_NONBLOCK), 0);
+  const std::string text(300000, 'x');
+  std::string got;
+  std::thread reader([&] {
+    char buffer[4096];
+    while (got.size() < text.size()) {
+      const ssize_t size = ::read(ends[0], buffer, sizeof buffer);
+      if (size > 0) got.append(buffer, static_cast<std::size_t>(size));
+    }
+  });
+  EXPECT_EQ(write_all(ends[1], text), 0);
+  reader.join();
+  EXPECT_EQ(got, text);
+  for (const int end : ends) ::close(end);
+  EXPECT_EQ(write_all(ends[1], text), EBADF);
 }
 
 TEST(Extension, IsTheSameInCapitals) {

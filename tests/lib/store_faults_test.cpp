@@ -72,7 +72,7 @@ TEST(Store, DropsALineThatWasCutOffWhereverThatWas) {
       EXPECT_TRUE(store.warnings().empty());
     } else {
       ASSERT_EQ(store.warnings(),
-                (Keys{file.string() + ":2: a line that is no whole record was dropped; its trial runs again"}));
+                (Keys{file.string() + ":2: a line that is no whole record was dropped; its trial counts as not run"}));
     }
   }
 }
@@ -86,10 +86,10 @@ TEST(Store, DropsGarbledLinesAndKeepsTheOthers) {
                   "\nnoise\xff\n");
   const Store store(temporary.path());
   EXPECT_EQ(keys_of(store), (Keys{"a", "b"}));
-  const std::string dropped = ": a line that is no whole record was dropped; its trial runs again";
+  const std::string dropped = ": a line that is no whole record was dropped; its trial counts as not run";
   EXPECT_EQ(store.warnings(),
             (Keys{file.string() + ":2: a line that is no whole record was dropped (not a trial's record: 'key' is missing); its "
-                                  "trial runs again",
+                                  "trial counts as not run",
                   file.string() + ":4" + dropped, file.string() + ":6" + dropped}));
 }
 
@@ -208,8 +208,22 @@ TEST(Store, DoesNotBeginItsFileAgain) {
   const TemporaryDirectory temporary;
   Store store(temporary.path());
   store.append(record_of("a"));
-  fs::remove(files_in(temporary.path() / "trials").at(0));
-  EXPECT_THROW(store.append(record_of("b")), StoreError);
+  const fs::path file = files_in(temporary.path() / "trials").at(0);
+  fs::remove(file);
+  EXPECT_EQ(message_of<StoreError>([&] { store.append(record_of("b")); }),
+            "'" + file.string() +
+                "' was removed while trials ran, and with it what they had stored there; run the comparison again: it "
+                "runs what the store lacks");
+}
+
+TEST(Store, SaysWhenItCantBeLocked) {
+  const TemporaryDirectory temporary;
+  fs::create_directory(temporary.path() / ".lock");
+  Store store(temporary.path());
+  store.begin(toy_study());
+  EXPECT_EQ(store.warnings(), (Keys{"'" + (temporary.path() / ".lock").string() +
+                                    "' can't be locked (Is a directory): another comparison that writes here goes "
+                                    "unnoticed"}));
 }
 
 TEST(Store, SeesAnotherProcessThatWrites) {

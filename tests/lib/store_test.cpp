@@ -211,11 +211,13 @@ TEST(Store, WarnsOfResultsOfAnotherBuild) {
   EXPECT_TRUE(store.warnings().empty());
   store.begin(toy_study());
   const std::string program = ", program " + provenance().at("executable").text().substr(0, 8);
-  const Keys expected = {"'" + temporary.path().string() + "' holds results of another build (revision abc123" +
-                         program + "; the present one is revision " + revision() + program +
-                         "): halving (1). Results and times may differ; --rerun LABEL or --fresh runs them again"};
-  EXPECT_EQ(store.warnings(), expected);
-  EXPECT_EQ(Store::open_existing(temporary.path()).warnings(), expected);  // than the last run's
+  const auto expected = [&](const std::string& whose) {
+    return Keys{"'" + temporary.path().string() + "' holds results of another build (revision abc123" + program +
+                "; the " + whose + " is revision " + revision() + program +
+                "): halving (1). Results and times may differ; --rerun LABEL or --fresh runs them again"};
+  };
+  EXPECT_EQ(store.warnings(), expected("present one"));
+  EXPECT_EQ(Store::open_existing(temporary.path()).warnings(), expected("last run's"));
 }
 
 TEST(Store, WarnsOfResultsOfAChangedProgram) {

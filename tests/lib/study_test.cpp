@@ -285,6 +285,25 @@ TEST(Study, RefusesTwoEqualLabels) {
 TEST(Study, RefusesAnEmptyLabel) {
   EXPECT_EQ(refusal_after_problem("label = \"\"\n"),
             "s.toml:3: 'label' of [problem] is empty; it names rows and results");
+  for (const std::string& label : {std::string(101, 'x'), std::string(5'000'000, 'x')}) {
+    const std::string said = "has " + std::to_string(label.size()) + " characters; at most 100 are allowed";
+    EXPECT_EQ(refusal_after_problem("[[optimizer]]\nuse = \"halving\"\nlabel = \"" + label + "\"\n"),
+              "s.toml:5: 'label' of [[optimizer]] " + said);
+    EXPECT_EQ(refusal_after_problem("label = \"" + label + "\"\n"), "s.toml:3: 'label' of [problem] " + said);
+    EXPECT_EQ(refusal("[study]\nname = \"" + label + "\"\n[problem]\nkind = \"bowl\"\n"),
+              "s.toml:2: 'name' of [study] " + said);
+  }
+  std::string greek;
+  for (int i = 0; i < 100; ++i) greek += "ν";
+  EXPECT_EQ(refusal_after_problem("label = \"" + greek + "\"\n"), "(nothing was thrown)");
+  EXPECT_EQ(refusal_after_problem("best_known = { quality = 0.0, origin = \"" + std::string(1001, 'o') + "\" }\n"),
+            "s.toml:3: 'origin' of best_known has 1001 characters; at most 1000 are allowed");
+  EXPECT_EQ(refusal_after_problem("[[optimizer]]\nuse = \"halving\"\nlabel = \"failed\"\n"),
+            "s.toml:5: an optimizer can't be labelled 'failed': --rerun failed means the trials that failed");
+  EXPECT_EQ(refusal_after_problem("[[optimizer]]\nuse = \"halving\"\nlabel = \"contaminated\"\n"),
+            "s.toml:5: an optimizer can't be labelled 'contaminated': --rerun contaminated means the trials that were "
+            "disturbed");
+  EXPECT_EQ(refusal_after_problem("label = \"failed\"\n"), "(nothing was thrown)");  // of a problem
   EXPECT_EQ(refusal_after_problem("[[optimizer]]\nuse = \"halving\"\nlabel = \"\"\n"),
             "s.toml:5: 'label' of [[optimizer]] is empty; it names rows and results");
 }
@@ -323,6 +342,23 @@ TEST(Study, SaysWhatAsksForMoreMemoryThanThereIs) {
       .make = [](const Options&, const ProblemContext&) -> std::shared_ptr<const Problem> { throw std::bad_alloc(); }});
   EXPECT_EQ(toy::message_of([&] { (void)parse_study("[problem]\nkind = \"greedy\"\n", "s.toml", greedy); }),
             "s.toml:1: problem 'greedy' takes more memory than there is; make it smaller");
+}
+
+TEST(Study, SaysWhichProblemThrewWhenItWasMade) {
+  Registry throwing;
+  throwing.add(ProblemDescription{
+      .kind = "own", .make = [](const Options&, const ProblemContext&) -> std::shared_ptr<const Problem> {
+        throw std::out_of_range("vector::at");
+      }});
+  throwing.add(ProblemDescription{
+      .kind = "odd", .make = [](const Options&, const ProblemContext&) -> std::shared_ptr<const Problem> { throw 7; }});
+  const auto said = [&](const std::string& text) {
+    return toy::message_of([&] { (void)parse_study(text, "s.toml", throwing); });
+  };
+  EXPECT_EQ(said("\n[problem]\nkind = \"own\"\nlabel = \"mine\"\n"),
+            "s.toml:2: problem 'mine' can't be made: vector::at");
+  EXPECT_EQ(said("[problem]\nkind = \"odd\"\n"),
+            "s.toml:1: problem 'odd' can't be made: an exception that is no std::exception");
 }
 
 TEST(Study, RefusesMultiStartOfAGlobalMethod) {

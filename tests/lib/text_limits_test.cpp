@@ -39,10 +39,18 @@ TEST(Shown, CutsLongTextsBetweenCharacters) {
 }
 
 TEST(Shown, KeepsControlSequencesAndBytesFromTheTerminal) {
-  EXPECT_EQ(shown("a\x1B[31m\r\n"), "a\\x1B[31m\\x0D\\x0A");
-  EXPECT_EQ(shown(std::string_view("\0x\x7F", 3)), "\\x00x\\x7F");
-  EXPECT_EQ(shown("\xC2\x9B\xC2\xA0"), "\\xC2\\x9B\xC2\xA0");  // U+009B begins a control sequence; U+00A0 is a space
+  EXPECT_EQ(shown("a\x1B[31m\r\n"), "a\\u001b[31m\\r\\n");
+  EXPECT_EQ(shown(std::string_view("\0x\x7F", 3)), "\\u0000x\\u007f");
+  EXPECT_EQ(shown("\xC2\x9B\xC2\xA0"), "\\u009b\xC2\xA0");  // U+009B begins a control sequence; U+00A0 is a space
   EXPECT_EQ(shown("\xFF\xFEn"), "\\xFF\\xFEn");
+}
+
+TEST(Beginning, IsTheTextOrWholeCharactersOfIt) {
+  EXPECT_EQ(beginning("caf\xE9\x1B", 5), "caf\xE9\x1B");  // as it is
+  EXPECT_EQ(beginning("abcdef", 3), "abc…");
+  EXPECT_EQ(beginning("aνν", 4), "aν…");
+  EXPECT_EQ(beginning("\xE9\xE9\xE9", 2), "\xE9\xE9…");
+  EXPECT_EQ(beginning("ν", 1), "…");
 }
 
 TEST(Messages, QuoteLittleOfALongName) {

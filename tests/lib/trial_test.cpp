@@ -7,7 +7,9 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <memory>
 #include <set>
+#include <utility>
 
 #include "toy.h"
 
@@ -77,6 +79,20 @@ class MischievousProblem final : public Problem {
  private:
   Mischief mischief_;
   toy::ToyProblem toy_;
+};
+
+// Ends at once, by a limit of its own or not.
+class Limited final : public Optimizer {
+ public:
+  explicit Limited(bool limited) : limited_(limited) {}
+  Outcome minimize(Meter&, std::span<const double>, RandomStream&) override {
+    Outcome outcome;
+    outcome.limited = limited_;
+    return outcome;
+  }
+
+ private:
+  bool limited_;
 };
 
 // Out of the box, to a better point than the start, and back in.
@@ -278,6 +294,68 @@ TEST(Trial, SaysWhichFigureIsNoNumber) {
 }
 
 // Minus infinity is no cost, whatever is lower.
+TEST(Trial, WhoseQualityThrowsFailsWithTheReason) {
+  const auto boom = [](double) -> double { throw std::runtime_error("no quality"); };
+  const TrialRecord always = run_mischief({.quality = boom});
+  EXPECT_EQ(always.end, End::failed);
+  EXPECT_EQ(always.reason,
+            "no quality; the quality of the start threw: no quality; the quality of the best point threw: no quality");
+  ASSERT_TRUE(always.start.cost.has_value());  // what can be known is kept
+  ASSERT_TRUE(always.best.has_value());
+  EXPECT_EQ(always.best->summary.cost, always.start.cost);
+  EXPECT_FALSE(always.best->summary.quality.has_value());
+  EXPECT_EQ(always.counts.evaluations, 0);
+
+  // Once only, at the start.
+  const auto thrown = std::make_shared<bool>(false);
+  const TrialRecord once = run_mischief({.quality = [thrown](double c) {
+    if (!std::exchange(*thrown, true)) throw std::runtime_error("no quality");
+    return c;
+  }});
+  EXPECT_EQ(once.end, End::failed);
+  EXPECT_EQ(once.reason, "no quality");
+  EXPECT_TRUE(once.best.has_value());
+
+  // Of better points than the start.
+  const double at_start = toy::bowl(toy::ToyProblem().space().start());
+  const TrialRecord later = run_mischief({.quality = [at_start](double c) {
+    if (c < 0.5 * at_start) throw std::runtime_error("too good");
+    return c;
+  }});
+  EXPECT_EQ(later.end, End::failed);
+  EXPECT_EQ(later.reason, "too good; the quality of the best point threw: too good");
+  ASSERT_TRUE(later.best.has_value());
+  EXPECT_EQ(later.counts.evaluations, 1);
+}
+
+TEST(Trial, KeepsTheBeginningOfALongReason) {
+  const TrialRecord record = run_mischief({.cost = [](std::span<const double>) -> double {
+    throw std::runtime_error("a" + std::string(3'000'000, 'x'));
+  }});
+  EXPECT_EQ(record.reason, "a" + std::string(1999, 'x') + "…");
+  const Study study = toy_study();
+  EXPECT_EQ(lost_trial(study, {0, 0, 0}, End::crashed, std::string(5000, 'y')).reason, std::string(2000, 'y') + "…");
+  // As a store of an older build may hold it.
+  TrialRecord old = record;
+  old.reason = std::string(3'000'000, 'z');
+  EXPECT_EQ(parse_record(to_json_line(old), "line").reason, std::string(2000, 'z') + "…");
+}
+
+TEST(Trial, SaysWhenALimitOfTheMethodEndedIt) {
+  for (const bool limited : {false, true}) {
+    Registry registry = toy_registry();
+    registry.add(OptimizerDescription{
+        .name = "limited", .make = [limited](const Options&) { return std::make_unique<Limited>(limited); }});
+    Study study = toy_study();
+    study.optimizers.push_back({.label = "limited", .use = "limited", .options = {}});
+    const TrialRecord record = run_trial(study, {0, 3, 0}, registry);
+    EXPECT_EQ(record.end, End::finished);
+    EXPECT_EQ(record.limited, limited);
+    EXPECT_EQ(parse_record(to_json_line(record), "line").limited, limited);
+    EXPECT_EQ(to_json_line(record).find("limited\":true") != std::string::npos, limited);  // else as older builds write it
+  }
+}
+
 TEST(Trial, CountsMinusInfinityAsRefused) {
   const auto cost = [](std::span<const double> x) {
     return x[0] > 0.2 ? -std::numeric_limits<double>::infinity() : toy::bowl(x);

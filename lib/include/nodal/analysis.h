@@ -48,6 +48,7 @@ struct ProblemReference {
   double best_quality = 0.0;  ///< G*
   std::string origin;         ///< who says so
   bool provisional = false;   ///< true when it is merely the best of these trials
+  bool unimproved = false;    ///< provisional, and no trial improved its start: gaps to it mean nothing
 };
 
 struct TargetRow {
@@ -95,7 +96,8 @@ struct RowRequest {
 
 /// True where nothing is left to be found: the start's quality is not above G* by more than G* is known to (1e-9 of it
 /// where it was measured, else half a unit of the last digit it was given with, at most 1e-4 of it), or the start is a
-/// perfect fit, but for rounding. There (G − G*)/(G_start − G*) is rounding over rounding.
+/// perfect fit, but for rounding. False, but for a perfect fit, where G* is `unimproved`: that nobody found anything
+/// says nothing about the start. There (G − G*)/(G_start − G*) is rounding over rounding.
 [[nodiscard]] bool starts_at_best(const PointSummary& start, const ProblemReference& reference);
 
 /// Where a trial stood on an axis when it first had quality ≤ the given one; empty: never.

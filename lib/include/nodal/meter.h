@@ -21,6 +21,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <exception>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -97,7 +98,8 @@ class Meter {
   using Clock = std::chrono::steady_clock;
 
   /// Evaluates the start once, uncounted: it is the first best point, evaluation 0 of the trace.
-  /// `began` is when the trial began; seconds count from there.
+  /// `began` is when the trial began; seconds count from there. What `Problem::quality` throws of the start is kept for
+  /// `set_target`, so that the trial knows what the start cost.
   Meter(const Problem& problem, Evaluator& evaluator, std::span<const double> start, const Limits& limits,
         Clock::time_point began = Clock::now());
   ~Meter();
@@ -128,7 +130,8 @@ class Meter {
   // ── for the harness ───────────────────────────────────────────────────────────────────────────────────────────────
 
   [[nodiscard]] Evaluation start() const noexcept { return start_; }
-  /// Stops as soon as the best quality is ≤ this; at once when it is already.
+  /// Stops as soon as the best quality is ≤ this; at once when it is already. Throws what the problem's quality threw of
+  /// the start.
   void set_target(double quality);
   [[nodiscard]] bool has_best() const noexcept { return best_evaluation_ >= 0; }
   [[nodiscard]] double best_cost() const noexcept { return best_cost_; }
@@ -202,6 +205,7 @@ class Meter {
   bool best_priced_ = false;  // and not confirmed by a full evaluation
   std::vector<TracePoint> trace_;
   std::optional<OutsidePoint> outside_;
+  std::exception_ptr start_thrown_;  // by the problem's quality
 
   // The best before those that were only priced.
   struct Confirmed {

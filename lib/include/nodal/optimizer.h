@@ -29,8 +29,9 @@ struct Claim {
 
 /// How a run ended, when it wasn't the meter that ended it.
 struct Outcome {
-  bool failed = false;  ///< the method could not do its work (a library refused its arguments, say)
-  std::string reason;   ///< why it finished or failed, e.g. "144 temperatures done"
+  bool failed = false;   ///< the method could not do its work (a library refused its arguments, say)
+  bool limited = false;  ///< a limit of the method's own ended it (max_iterations, say) before it had converged
+  std::string reason;    ///< why it finished or failed, e.g. "144 temperatures done"
   std::optional<Claim> claim;
   Value effective_options;  ///< options as the run really used them, derived defaults and read-backs included
 };

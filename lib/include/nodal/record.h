@@ -29,6 +29,9 @@ enum class End {
 
 [[nodiscard]] std::string_view to_string(End end) noexcept;
 
+/// What is kept of a reason, or of a library's words, [bytes]: some quote all that they were given.
+inline constexpr std::size_t kMostOfAReason = 2000;
+
 /// Empty entries were not measured, or don't exist for this problem.
 struct PointSummary {
   std::optional<double> cost, quality, relative_error;
@@ -76,8 +79,9 @@ struct TrialRecord {
   int repeat = 0;
   std::uint64_t seed = 0;  ///< of the trial's stream; below 2^53, so that every JSON reader keeps it
   End end = End::failed;
-  std::string reason;
-  Value options;  ///< effective
+  bool limited = false;  ///< finished by a limit of the method's own, not by convergence; older records don't say
+  std::string reason;    ///< at most kMostOfAReason bytes, with "…" where it went on
+  Value options;         ///< effective
   PointSummary start;
   std::optional<BestPoint> best;  ///< none when no point had a finite cost
   Counts counts;

@@ -9,8 +9,6 @@
 namespace nodal::program {
 namespace {
 
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
-
 constexpr const char* kPair = R"([[case]]
 name = "pair"
 expect = "EXPECT"

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <optional>
+#include <sstream>
 
 #include <nodal/value.h>
 
@@ -11,8 +12,6 @@
 
 namespace nodal::program {
 namespace {
-
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 // The start of the folder's quick.toml, a grid of 3 × 3 nodes, as a stiffness file: diagonals at one stiffness, other
 // springs at another, or as they were.
@@ -321,6 +320,14 @@ TEST(List, NamesWhatThisBuildHas) {
   EXPECT_TRUE(contains(run(folder, {"list", "problems"}).out, "elastic: "));
   EXPECT_TRUE(contains(run(folder, {"list", "topologies"}).out, "crossed: "));
   EXPECT_TRUE(contains(run(folder, {"list", "scenes"}).out, "plate.toml: The 25-node plate"));
+}
+
+TEST(Help, SaysWhatOnlyTakes) {
+  const Folder folder;
+  std::istringstream words(run(folder, {"compare", "--help"}).out);  // broken into lines somewhere
+  std::string help;
+  for (std::string word; words >> word;) help += word + " ";
+  EXPECT_TRUE(contains(help, "with these labels, or with a 'use' that one entry has, separated by commas")) << help;
 }
 
 TEST(Help, IsThereForEveryCommand) {

@@ -24,8 +24,6 @@
 namespace nodal::program {
 namespace {
 
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
-
 // The quick study without [budget].
 std::string without_budget() {
   std::string text = kQuickStudy;

@@ -18,8 +18,6 @@
 namespace nodal::program {
 namespace {
 
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
-
 // A finished comparison, whose manifest and records a test spoils.
 class HostileStore : public testing::Test {
  protected:

@@ -3,10 +3,8 @@
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
-#include <chrono>
 #include <cstdlib>
 #include <fstream>
-#include <thread>
 
 #include <nodal/store.h>
 
@@ -15,12 +13,6 @@
 
 namespace nodal::program {
 namespace {
-
-bool wait_for_a_trial(const std::filesystem::path& store) {
-  for (int i = 0; i < 600 && count_lines(store / "trials") == 0; ++i)
-    std::this_thread::sleep_for(std::chrono::milliseconds(50));
-  return count_lines(store / "trials") > 0;
-}
 
 int shell(const Folder& folder, const std::string& command) {
   const int status = std::system(("cd '" + folder.path().string() + "' && " + command).c_str());
@@ -32,7 +24,7 @@ TEST(Removed, StoreIsNoticed) {
   folder.write("slow.toml", kSlowStudy);
   const std::filesystem::path store = folder.path() / "results" / "slow";
   Started program(folder, {"compare", "slow.toml"});
-  const bool began = wait_for_a_trial(store);
+  const bool began = wait_for_lines(store / "trials", 1);
   std::filesystem::rename(store, folder.path() / "gone");  // at once; removing takes its time
   std::filesystem::remove_all(folder.path() / "gone");
   const Output output = program.wait();
@@ -113,7 +105,7 @@ TEST(TwoComparisons, SayThatTheyAreTwo) {
   for (const Folder* folder : {&one, &two}) folder->write("slow.toml", kSlowStudy);
   const std::string store = (one.path() / "out").string();
   Started first(one, {"compare", "slow.toml", "--out", store, "--repeats", "12"});
-  ASSERT_TRUE(wait_for_a_trial(store));
+  ASSERT_TRUE(wait_for_lines(store + "/trials", 1));
   Started second(two, {"compare", "slow.toml", "--out", store, "--repeats", "2", "--seed", "5"});
   const pid_t pids[] = {first.process(), second.process()};
   const Output of_second = second.wait(), of_first = first.wait();

@@ -6,9 +6,11 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
+#include <thread>
 
 namespace nodal::program {
 
@@ -91,5 +93,15 @@ std::size_t count_lines(const std::filesystem::path& directory) {
   }
   return lines;
 }
+
+bool wait_for_lines(const std::filesystem::path& directory, std::size_t wanted) {
+  for (int i = 0; i < 600; ++i) {
+    if (count_lines(directory) >= wanted) return true;
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  }
+  return false;
+}
+
+bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 }  // namespace nodal::program

@@ -58,5 +58,8 @@ Output run(const Folder& folder, const std::vector<std::string>& arguments, Stdo
 
 [[nodiscard]] std::string read_file(const std::filesystem::path& path);
 [[nodiscard]] std::size_t count_lines(const std::filesystem::path& directory);  ///< of all its *.jsonl files
+/// Waits until a directory's *.jsonl files have that many lines, but not for ever: false after half a minute.
+[[nodiscard]] bool wait_for_lines(const std::filesystem::path& directory, std::size_t wanted);
+[[nodiscard]] bool contains(const std::string& text, const std::string& part);
 
 }  // namespace nodal::program

@@ -130,11 +130,11 @@ TEST(ConsoleTable, SaysThatTheStartIsTheBest) {
   EXPECT_EQ(text.find(" never"), std::string::npos) << text;
   EXPECT_NE(text.find("  at the start   1 of 1"), std::string::npos) << text;
   // The best of trials that found nothing says nothing, unless it is a perfect fit.
-  table.reference.provisional = true;
-  table.start_relative_error = 0.2;
+  table.reference.provisional = table.reference.unimproved = true;
+  table.start_is_best = false;
   EXPECT_NE(console_table(data, 200).find("which no trial has improved"), std::string::npos);
   EXPECT_EQ(console_table(data, 200).find("the best there is"), std::string::npos);
-  table.start_relative_error = 1e-15;
+  table.start_is_best = true;
   EXPECT_NE(console_table(data, 200).find("the best there is"), std::string::npos);
 }
 

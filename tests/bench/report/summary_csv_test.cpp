@@ -54,12 +54,11 @@ TEST(SummaryCsv, QuotesLabelsThatNeedIt) {
 
 // A spreadsheet computes what begins like a formula, quoted or not.
 TEST(SummaryCsv, HoldsNoFormulas) {
-  for (const char* label : {"=cmd|' /C calc'!A0", "@SUM(1+1)", "-2+3", "+1", "\tx", "\rx"}) {
+  for (const char* label : {"=cmd|' /C calc'!A0", "@SUM(1+1)", "-2+3", "+1"}) {
     ReportData data = fixture::make_data();
     ProblemTable& table = data.problems[0].table;
     table.reference.label = table.reference.origin = table.rows[0].label = table.rows[0].use = label;
-    std::string shown = std::string("'") + label;
-    if (shown.find('\r') != std::string::npos) shown = "\"" + shown + "\"";
+    const std::string shown = std::string("'") + label;
     const std::string text = summary_csv(data);
     EXPECT_NE(text.find("\n" + shown + "," + shown + "," + shown + ",true,"), std::string::npos) << text;
     EXPECT_NE(text.find("," + shown + ",false,"), std::string::npos) << text;  // the origin
@@ -67,6 +66,15 @@ TEST(SummaryCsv, HoldsNoFormulas) {
   ReportData data = fixture::make_data();
   data.problems[0].table.rows[0].label = "a=b-c";
   EXPECT_NE(summary_csv(data).find("\nplate,a=b-c,"), std::string::npos);
+}
+
+// One line a row, and nothing that a terminal obeys.
+TEST(SummaryCsv, HoldsNoControlCharacters) {
+  ReportData data = fixture::make_data();
+  data.problems[0].table.rows[0].label = "\ta\r\n\x1B[31m\"\u202E";
+  const std::string text = summary_csv(data);
+  EXPECT_NE(text.find("\nplate,\"\\ta\\r\\n\\u001b[31m\"\"\\u202e\",annealing,"), std::string::npos) << text;
+  EXPECT_EQ(std::ranges::count_if(text, [](char c) { return static_cast<unsigned char>(c) < 0x20 && c != '\n'; }), 0);
 }
 
 }  // namespace

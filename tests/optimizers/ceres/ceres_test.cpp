@@ -77,6 +77,14 @@ TEST_P(CeresMethods, KeepABudgetOf37) {
   EXPECT_FALSE(report.outcome.failed) << report.outcome.reason;
 }
 
+TEST_P(CeresMethods, SayWhenTheirOwnLimitEndedThem) {
+  Value given;
+  given.set("max_iterations", 1);
+  const Report ended = run(method(), toy::rosenbrock(), evaluations(10000), 1, given);
+  EXPECT_TRUE(ended.outcome.limited) << ended.outcome.reason;
+  EXPECT_FALSE(run(method(), toy::bowl(), evaluations(1000)).outcome.limited);
+}
+
 TEST_P(CeresMethods, KeepABudgetOfThree) {
   const Report report = run(method(), toy::rosenbrock(), evaluations(3));
   EXPECT_EQ(report.counts.evaluations, 3);

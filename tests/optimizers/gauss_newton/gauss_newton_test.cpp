@@ -70,6 +70,12 @@ TEST(GaussNewton, SolvesRosenbrocksFunction) {
   }
 }
 
+TEST(GaussNewton, SaysWhenItsOwnLimitEndedIt) {
+  const char* problem = "kind = \"rosenbrock\"\ndimension = 2";
+  EXPECT_TRUE(run(problem, "evaluations = 5000", "max_iterations = 2").limited);
+  EXPECT_FALSE(run(problem, "evaluations = 5000").limited);
+}
+
 TEST(GaussNewton, BeginsAtTheStartItselfWithoutJitter) {
   const TrialRecord with = run("kind = \"rosenbrock\"\ndimension = 2", "evaluations = 1");
   const TrialRecord without = run("kind = \"rosenbrock\"\ndimension = 2", "evaluations = 1", "jitter = 0.0");

@@ -5,8 +5,12 @@
 #include <sys/resource.h>
 
 #include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
 
 #include "../../support/messages.h"
+#include "../../support/temporary_directory.h"
 #include "plate.h"
 
 namespace nodal::elastic {
@@ -61,6 +65,29 @@ TEST(MemoryNeed, OfTheLargestGridIsRefused) {
       << message;
   EXPECT_TRUE(
       toy::message_of([] { (void)make_plate({.counts = "[1000, 1001]"}); }).ends_with("more than 1000000 nodes"));
+}
+
+TEST(MemoryNeed, KnowsTheLimitsOfControlGroups) {
+  const toy::TemporaryDirectory folder;
+  const auto write = [&](const std::string& name, const std::string& text) {
+    std::filesystem::create_directories((folder.path() / name).parent_path());
+    std::ofstream(folder.path() / name) << text;
+  };
+  const auto limit = [&] { return control_group_memory(folder.path() / "membership", folder.path() / "groups"); };
+  EXPECT_TRUE(std::isinf(limit()));  // no such file
+  write("membership", "4:memory:/old\n0::/user.slice/job\n");
+  EXPECT_TRUE(std::isinf(limit()));
+  write("groups/old/memory.max", "1000\n");  // of version 1: that is another file
+  write("groups/user.slice/job/memory.max", "max\n");
+  EXPECT_TRUE(std::isinf(limit()));
+  write("groups/user.slice/job/memory.max", "2000000000\n");
+  EXPECT_EQ(limit(), 2e9);
+  write("groups/user.slice/memory.max", "1500000000\n");
+  EXPECT_EQ(limit(), 1.5e9);
+  write("groups/memory.max", "1400000000\n");  // as a container sees its own
+  EXPECT_EQ(limit(), 1.4e9);
+  write("membership", "0::/\n");
+  EXPECT_EQ(limit(), 1.4e9);
 }
 
 }  // namespace

@@ -6,11 +6,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <limits>
+#include <string>
 
 #include <fmt/format.h>
 
 namespace nodal::elastic {
+
+namespace fs = std::filesystem;
 
 double memory_need(std::size_t nodes, std::size_t groups) {
   constexpr double kOfNet = 200.0, kOfGroup = 250.0;
@@ -28,11 +32,27 @@ void require_memory(std::size_t nodes, std::size_t groups, double memory, const 
                                nodes, groups, groups == 1 ? "" : "s", need / kGigabyte, memory / kGigabyte));
 }
 
-double available_memory() {
+double control_group_memory(const fs::path& membership, const fs::path& root) {
   double limit = std::numeric_limits<double>::infinity();
+  std::ifstream groups(membership);
+  for (std::string line; std::getline(groups, line);) {
+    if (!line.starts_with("0::/")) continue;  // version 1, or a controller that isn't mounted so
+    // Inside a container the root is the container's own group, whatever its name is outside: a limit there holds, too.
+    for (fs::path group = fs::path(line.substr(4)).relative_path();; group = group.parent_path()) {
+      double most = 0.0;
+      std::ifstream file(root / group / "memory.max");
+      if (file >> most) limit = std::min(limit, most);  // "max" is no number: no limit
+      if (group.empty()) break;
+    }
+  }
+  return limit;
+}
+
+double available_memory() {
+  double limit = control_group_memory("/proc/self/cgroup", "/sys/fs/cgroup");
   rlimit of_process{};
   if (::getrlimit(RLIMIT_AS, &of_process) == 0 && of_process.rlim_cur != RLIM_INFINITY)
-    limit = static_cast<double>(of_process.rlim_cur);
+    limit = std::min(limit, static_cast<double>(of_process.rlim_cur));
   const long pages = ::sysconf(_SC_PHYS_PAGES), size = ::sysconf(_SC_PAGESIZE);
   if (pages <= 0 || size <= 0) return limit;
   return std::min(limit, static_cast<double>(pages) * static_cast<double>(size));

@@ -4,6 +4,7 @@
 /// How much memory a net takes, known before its factors are made: a study of a few words can ask for more than there is.
 
 #include <cstddef>
+#include <filesystem>
 
 #include <nodal/error.h>
 
@@ -16,7 +17,12 @@ namespace nodal::elastic {
 /// InputError at `source` when a net needs more than three quarters of `memory` bytes.
 void require_memory(std::size_t nodes, std::size_t groups, double memory, const Source& source);
 
-/// [bytes] that this process may have: the machine's, or less where a limit says so; infinity where neither is known.
+/// [bytes] that this process may have: the machine's, or less where a limit says so, its own (RLIMIT_AS) or that of a
+/// control group; infinity where none is known.
 [[nodiscard]] double available_memory();
+
+/// [bytes] The least memory.max of a process's control group (version 2) and of those above it; infinity where there is
+/// none. `membership` is the process's file, /proc/self/cgroup; `root` is where groups are mounted, /sys/fs/cgroup.
+[[nodiscard]] double control_group_memory(const std::filesystem::path& membership, const std::filesystem::path& root);
 
 }  // namespace nodal::elastic

@@ -12,8 +12,6 @@
 ///
 /// Threads  fork copies the calling thread only: call from a process without other threads.
 
-#include <sys/types.h>
-
 #include <functional>
 #include <string>
 #include <string_view>
@@ -51,8 +49,8 @@ class ChildProcess {
   void note(int status);
   void close_pipe() noexcept;
 
-  pid_t process_ = -1;  ///< -1 when it was waited for
-  pid_t group_ = -1;
+  int process_ = -1;  ///< -1 when it was waited for
+  int group_ = -1;
   int pipe_ = -1;
   std::string output_, death_;
   std::size_t length_ = 0;

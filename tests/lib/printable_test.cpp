@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <report/printable.h>
-
 #include <gtest/gtest.h>
 
+#include <nodal/shown.h>
 #include <nodal/value.h>
 
-namespace nodal::report {
+namespace nodal {
 namespace {
 
 TEST(Printable, LeavesTextAlone) {
@@ -61,4 +60,4 @@ TEST(UnfinishedBytes, AreThoseOfACharacterThatIsNotWhole) {
 }
 
 }  // namespace
-}  // namespace nodal::report
+}  // namespace nodal
