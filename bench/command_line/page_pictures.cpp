@@ -58,23 +58,15 @@ void refuse_file(const std::string& name, const fs::path& folder) {
         fmt::format("the study names '{}', which is no regular file of its folder '{}'", name, folder.string()));
 }
 
-// Every 'file' of a problem and of the tables in it.
-void refuse_files(const Value& value, const fs::path& folder) {
+// Every 'file' of a study.
+void collect_files(const Value& value, std::vector<std::string>& names) {
   if (value.is_list())
-    for (const Value& item : value.list()) refuse_files(item, folder);
+    for (const Value& item : value.list()) collect_files(item, names);
   if (!value.is_table()) return;
   for (const auto& [key, entry] : value.table()) {
-    if (key == "file" && entry.is_text()) refuse_file(entry.text(), folder);
-    refuse_files(entry, folder);
+    if (key == "file" && entry.is_text()) names.push_back(entry.text());
+    collect_files(entry, names);
   }
-}
-
-bool names_files(const Value& value) {
-  if (value.is_list()) return std::ranges::any_of(value.list(), names_files);
-  if (!value.is_table()) return false;
-  return std::ranges::any_of(value.table(), [](const auto& entry) {
-    return (entry.first == "file" && entry.second.is_text()) || names_files(entry.second);
-  });
 }
 
 // The folder is the store's word: it is believed where the study stands in it, as the store has it.
@@ -89,14 +81,20 @@ void refuse_another_study(const fs::path& path, const std::string& text) {
         fmt::format("the study names files, and '{}' is not the study that the store was made of", path.string()));
 }
 
-void refuse_costly(const Value& study, const fs::path& folder) {
+void refuse_costly(const Value& study) {
   const Value* found = study.find("problem");
   if (!found) return;
   for (const Value& problem : found->is_list() ? found->list() : Value::List{*found}) {
     const Value* points = problem.is_table() ? problem.find("points") : nullptr;
     if (points && points->is_table()) refuse_large(*points);
-    refuse_files(problem, folder);
   }
+}
+
+void refuse_strange_files(const Value& study, const fs::path& folder, const fs::path& path, const std::string& text) {
+  std::vector<std::string> names;
+  collect_files(study, names);
+  for (const std::string& name : names) refuse_file(name, folder);
+  if (!names.empty()) refuse_another_study(path, text);
 }
 
 // ── pictures ──
@@ -117,8 +115,8 @@ std::string stored_pictures(const Value& study, const Registry& registry, const 
     const std::string& text = study.at("text").text();
     const fs::path path = folder / fs::path(study.at("file").text()).filename();
     const Value parsed = parse_toml(text, path.string());
-    refuse_costly(parsed, folder);
-    if (names_files(parsed)) refuse_another_study(path, text);
+    refuse_costly(parsed);
+    refuse_strange_files(parsed, folder, path, text);
     Value pictures;
     for (const StudyProblem& problem : parse_study(text, path, registry).problems)
       if (!data.pictures.contains(problem.label)) pictures.set(problem.label, picture_of(problem, data));
