@@ -30,21 +30,16 @@ constexpr std::chrono::seconds kPatience(20);
 
 // ── what a study from a store may ask for ──
 
-double number_of(const Value& table, std::string_view key, double missing) {
-  const Value* value = table.find(key);
-  return value && value->is_number() ? value->number() : missing;
-}
-
 void refuse_large(const Value& points) {
   double grid = 1.0;
   if (const Value* counts = points.find("counts"); counts && counts->is_list())
     for (const Value& count : counts->list()) grid *= count.is_number() ? count.number() : 1.0;
-  const double total = number_of(points, "total", 0.0), steps = total * number_of(points, "iterations", 0.0);
+  const double total = points.number_or("total", 0.0), steps = total * points.number_or("iterations", 0.0);
   if (grid > kMostGridNodes || total > kMostNodes)
     throw InputError(fmt::format("{:.0f} nodes are too many for a picture", std::max(grid, total)));
   if (steps > kMostVoronoiSteps)
     throw InputError(fmt::format("{:.0f} points, iterated {:.0f} times, take too long for a picture", total,
-                                 number_of(points, "iterations", 0.0)));
+                                 points.number_or("iterations", 0.0)));
 }
 
 void refuse_file(const std::string& name, const fs::path& folder) {
