@@ -43,6 +43,27 @@ Value health_json(const Health& health) {
   return table;
 }
 
+Value names_json(const elastic::Net& net) {
+  Value::List names;
+  for (std::size_t i = 0; i < net.nodes.size(); ++i) names.push_back(node_name(net, i));
+  return Value(std::move(names));
+}
+
+std::vector<double> coordinates_at(const elastic::ElasticProblem& problem, std::span<const double> stiffness) {
+  std::vector<double> x(problem.parameters().size());
+  problem.parameters().coordinates(stiffness, x);
+  return x;
+}
+
+Value at_bounds_json(const elastic::ElasticProblem& problem, std::span<const double> stiffness) {
+  const AtBounds at = count_at_bounds(problem.space(), coordinates_at(problem, stiffness));
+  Value table;
+  table.set("coordinates", index(problem.space().size()));
+  table.set("lower", index(at.lower));
+  table.set("upper", index(at.upper));
+  return table;
+}
+
 // The springs whose stiffness the reference says nothing about.
 Value undetermined_json(const elastic::ElasticProblem& problem, std::span<const double> stiffness) {
   Value::List list;
@@ -85,8 +106,10 @@ Value state_json(const std::string& label, const elastic::ElasticProblem& proble
   Value result;
   result.set("problem", label);
   result.set("nodes", index(problem.net().nodes.size()));
+  result.set("node_names", names_json(problem.net()));
   result.set("springs", Value(std::move(springs)));
   if (problem.scene().has_reference) {
+    result.set("at_bounds", at_bounds_json(problem, stiffness));
     result.set("quality", state.quality);
     result.set("relative_error", state.relative_error);
   }
@@ -112,10 +135,9 @@ std::string compared_text(const elastic::ElasticProblem& problem, std::span<cons
   std::string text = fmt::format("relative error {:.6g}, G {:.10g}, k_max/k_min {:.4g}\n", state.relative_error,
                                  state.quality, state.health.spread.value_or(1.0));
   text += accuracy_text(state.health);
-  std::vector<double> x(problem.parameters().size());
-  problem.parameters().coordinates(stiffness, x);
-  text += fmt::format("{} ({:.6g} to {:.6g} N/m)\n", at_bounds_text(problem.space(), x),
-                      problem.scene().stiffness_bounds[0], problem.scene().stiffness_bounds[1]);
+  text +=
+      fmt::format("{} ({:.6g} to {:.6g} N/m)\n", at_bounds_text(problem.space(), coordinates_at(problem, stiffness)),
+                  problem.scene().stiffness_bounds[0], problem.scene().stiffness_bounds[1]);
   if (const std::string note = elastic::describe(elastic::determine(problem, stiffness), problem); !note.empty())
     text += "note: " + note + "\n";
   text += fmt::format("\n{:<12} {:>14} {:>24} {:>26}\n", "load", "G", "largest displacement [m]",

@@ -10,11 +10,10 @@
 
 namespace nodal {
 
-/// {"problem", "nodes", "springs": [{nodes, stiffness}, …], "quality", "relative_error", "loads": [{name, quality,
-/// displacement, reference, force, bearing: [[node, axis, force], …]}], "health", "undetermined": [[node, node], …]};
-/// axis 0-based, SI units; `force` of each spring, in the order of "springs", positive where it pulls. What a study
-/// without a reference doesn't have (quality, relative_error, reference) is left out, and "undetermined" where nothing
-/// is.
+/// {"problem", "nodes", "node_names", "springs": [{nodes, stiffness}, …], "at_bounds": {coordinates, lower, upper},
+/// "quality", "relative_error", "loads": [{name, quality, displacement, reference, force, bearing}, …], "health",
+/// "undetermined", "details"}, as docs/your_own_system.md describes them. What a study without a reference doesn't have
+/// (at_bounds, quality, relative_error, reference) is left out, and so is "undetermined" where nothing is.
 [[nodiscard]] Value state_json(const std::string& label, const elastic::ElasticProblem& problem,
                                std::span<const double> stiffness, const elastic::State& state);
 /// The same for people: G, relative error, a line per load with its largest bearing force. Of a study without a

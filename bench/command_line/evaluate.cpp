@@ -52,7 +52,7 @@ int evaluate_any(const EvaluateArguments& arguments, const std::string& label, c
                      fmt::format("problem '{}' has no springs to draw; it is for elastic problems", label));
   const Evaluation result = problem.make_evaluator()->audit(problem.space().start());
   if (!result.ok()) {
-    std::cerr << fmt::format("nodal: {}: the start is {}\n", label, to_string(result.status));
+    std::cerr << fmt::format("nodal: {}: the start can't be evaluated: {}\n", label, in_words(result.status));
     return kExitTrialFailed;
   }
   Value table;

@@ -31,7 +31,7 @@ void explain_problem(const StudyProblem& entry) {
                                  ? fmt::format(", relative error {:.6g}", *problem.relative_error(start.cost))
                                  : "");
   else
-    std::cout << fmt::format("  at the start: {}\n", to_string(start.status));
+    std::cout << fmt::format("  at the start: not to be evaluated: {}\n", in_words(start.status));
   if (entry.best_known)
     std::cout << fmt::format("  best known: quality {:.10g} ({})\n", entry.best_known->quality,
                              entry.best_known->origin);

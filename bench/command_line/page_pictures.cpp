@@ -33,21 +33,16 @@ constexpr std::chrono::seconds kPatience(20);
 
 // ── what a study from a store may ask for ──
 
-double number_of(const Value& table, std::string_view key, double missing) {
-  const Value* value = table.find(key);
-  return value && value->is_number() ? value->number() : missing;
-}
-
 void refuse_large(const Value& points) {
   double grid = 1.0;
   if (const Value* counts = points.find("counts"); counts && counts->is_list())
     for (const Value& count : counts->list()) grid *= count.is_number() ? count.number() : 1.0;
-  const double total = number_of(points, "total", 0.0), steps = total * number_of(points, "iterations", 0.0);
+  const double total = points.number_or("total", 0.0), steps = total * points.number_or("iterations", 0.0);
   if (grid > kMostGridNodes || total > kMostNodes)
     throw InputError(fmt::format("{:.0f} nodes are too many for a picture", std::max(grid, total)));
   if (steps > kMostVoronoiSteps)
     throw InputError(fmt::format("{:.0f} points, iterated {:.0f} times, take too long for a picture", total,
-                                 number_of(points, "iterations", 0.0)));
+                                 points.number_or("iterations", 0.0)));
 }
 
 void refuse_file(const std::string& name, const fs::path& folder) {
@@ -61,23 +56,15 @@ void refuse_file(const std::string& name, const fs::path& folder) {
         fmt::format("the study names '{}', which is no regular file of its folder '{}'", name, folder.string()));
 }
 
-// Every 'file' of a problem and of the tables in it.
-void refuse_files(const Value& value, const fs::path& folder) {
+// Every 'file' of a study.
+void collect_files(const Value& value, std::vector<std::string>& names) {
   if (value.is_list())
-    for (const Value& item : value.list()) refuse_files(item, folder);
+    for (const Value& item : value.list()) collect_files(item, names);
   if (!value.is_table()) return;
   for (const auto& [key, entry] : value.table()) {
-    if (key == "file" && entry.is_text()) refuse_file(entry.text(), folder);
-    refuse_files(entry, folder);
+    if (key == "file" && entry.is_text()) names.push_back(entry.text());
+    collect_files(entry, names);
   }
-}
-
-bool names_files(const Value& value) {
-  if (value.is_list()) return std::ranges::any_of(value.list(), names_files);
-  if (!value.is_table()) return false;
-  return std::ranges::any_of(value.table(), [](const auto& entry) {
-    return (entry.first == "file" && entry.second.is_text()) || names_files(entry.second);
-  });
 }
 
 // The folder is the store's word: it is believed where the study stands in it, as the store has it.
@@ -92,14 +79,20 @@ void refuse_another_study(const fs::path& path, const std::string& text) {
         fmt::format("the study names files, and '{}' is not the study that the store was made of", path.string()));
 }
 
-void refuse_costly(const Value& study, const fs::path& folder) {
+void refuse_costly(const Value& study) {
   const Value* found = study.find("problem");
   if (!found) return;
   for (const Value& problem : found->is_list() ? found->list() : Value::List{*found}) {
     const Value* points = problem.is_table() ? problem.find("points") : nullptr;
     if (points && points->is_table()) refuse_large(*points);
-    refuse_files(problem, folder);
   }
+}
+
+void refuse_strange_files(const Value& study, const fs::path& folder, const fs::path& path, const std::string& text) {
+  std::vector<std::string> names;
+  collect_files(study, names);
+  for (const std::string& name : names) refuse_file(name, folder);
+  if (!names.empty()) refuse_another_study(path, text);
 }
 
 // ── pictures ──
@@ -138,8 +131,8 @@ std::string stored_pictures(const Value& study, const Registry& registry, const 
     const std::string& text = study.at("text").text();
     const fs::path path = folder / fs::path(study.at("file").text()).filename();
     const Value parsed = parse_toml(text, path.string());
-    refuse_costly(parsed, folder);
-    if (names_files(parsed)) refuse_another_study(path, text);
+    refuse_costly(parsed);
+    refuse_strange_files(parsed, folder, path, text);
     Value pictures;
     for (const StudyProblem& problem : parse_study(text, path, registry).problems)
       if (!data.pictures.contains(problem.label)) pictures.set(problem.label, picture_of(problem, data));

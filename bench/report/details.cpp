@@ -18,11 +18,6 @@ std::optional<double> number_of(const Value& table, std::string_view key, double
   return sane ? std::optional(value->number()) : std::nullopt;
 }
 
-std::string text_of(const Value& table, std::string_view key) {
-  const Value* value = table.find(key);
-  return value && value->is_text() ? value->text() : std::string();
-}
-
 // A line without one of the three curves can't be drawn.
 std::optional<VoronoiStep> step_of(const Value& line) {
   if (!line.is_table()) return std::nullopt;
@@ -42,8 +37,8 @@ std::optional<VoronoiStep> step_of(const Value& line) {
 
 MassDetails masses_of(const Value& table) {
   MassDetails masses;
-  masses.form = text_of(table, "form");
-  masses.message = text_of(table, "message");
+  masses.form = table.text_or("form", "");
+  masses.message = table.text_or("message", "");
   masses.smallest = number_of(table, "smallest").value_or(0.0);
   masses.rank = static_cast<int>(number_of(table, "rank", kLargestCount).value_or(0.0));
   if (const Value* errors = table.find("moment_errors"); errors && errors->is_table())

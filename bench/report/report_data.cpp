@@ -14,20 +14,10 @@ namespace nodal::report {
 
 namespace {
 
-std::string text_of(const Value& table, std::string_view key) {
-  const Value* value = table.find(key);
-  return value && value->is_text() ? value->text() : std::string();
-}
-
 const Value::List& list_of(const Value& table, std::string_view key) {
   static const Value::List none;
   const Value* value = table.find(key);
   return value && value->is_list() ? value->list() : none;
-}
-
-bool flag_of(const Value& table, std::string_view key) {
-  const Value* value = table.find(key);
-  return value && value->is_boolean() && value->boolean();
 }
 
 struct NamedProblem {
@@ -41,7 +31,7 @@ struct NamedProblem {
 std::optional<KnownOptimum> known_of(const Value& problem) {
   const Value* known = problem.find("best_known");
   if (!known || !known->find("quality")) return std::nullopt;
-  return KnownOptimum{known->at("quality").number(), text_of(*known, "origin"), {}};
+  return KnownOptimum{known->at("quality").number(), known->text_or("origin", ""), {}};
 }
 
 // The merge of several stores, on the way to a report.
@@ -54,7 +44,7 @@ class Collection {
     for (const Value& problem : list_of(manifest, "problems")) add_problem(problem, store.directory().string());
     for (const Value& optimizer : list_of(manifest, "optimizers")) add_optimizer(optimizer);
     for (const Value& entry : list_of(manifest, "left_out"))
-      left_out.push_back({text_of(entry, "label"), text_of(entry, "use"), text_of(entry, "reason")});
+      left_out.push_back({entry.text_or("label", ""), entry.text_or("use", ""), entry.text_or("reason", "")});
     for (const Value& run : list_of(manifest, "runs"))
       if (const Value* build = run.is_table() ? run.find("provenance") : nullptr;
           build && build->is_table() && identities_.insert(build_identity(*build)).second)
@@ -84,7 +74,7 @@ class Collection {
   void add_study(const Value& manifest, const std::string& directory) {
     const Value* study = manifest.find("study");
     if (!study) return;
-    const std::string name = text_of(*study, "name"), text = text_of(*study, "text");
+    const std::string name = study->text_or("name", ""), text = study->text_or("text", "");
     if (study_text.empty()) {
       study_name = name;
       study_text = text;
@@ -96,7 +86,7 @@ class Collection {
   }
 
   void add_problem(const Value& problem, const std::string& directory) {
-    NamedProblem named{text_of(problem, "label"), text_of(problem, "kind"), {}, known_of(problem), directory,
+    NamedProblem named{problem.text_or("label", ""), problem.text_or("kind", ""), {}, known_of(problem), directory,
                        read_details(problem)};
     if (const Value* options = problem.find("options")) named.options = *options;
     const auto same = std::ranges::find(problems, named.label, &NamedProblem::label);
@@ -115,8 +105,8 @@ class Collection {
   }
 
   void add_optimizer(const Value& optimizer) {
-    const RowRequest row{text_of(optimizer, "label"), text_of(optimizer, "use"), flag_of(optimizer, "baseline"),
-                         flag_of(optimizer, "deterministic")};
+    const RowRequest row{optimizer.text_or("label", ""), optimizer.text_or("use", ""),
+                         optimizer.flag_or("baseline", false), optimizer.flag_or("deterministic", false)};
     const auto same = std::ranges::find(optimizers, row.label, &RowRequest::label);
     if (same == optimizers.end()) {
       optimizers.push_back(row);

@@ -19,4 +19,28 @@ std::string_view to_string(Status status) noexcept {
   return "unknown";
 }
 
+namespace {
+
+std::string_view meaning(Status status) noexcept {
+  switch (status) {
+    case Status::ok:
+      return "it can be evaluated";
+    case Status::not_positive_definite:
+      return "the system can't carry its loads";
+    case Status::ill_conditioned:
+      return "double precision can't vouch for the result";
+    case Status::invalid_input:
+      return "a coordinate or the cost is no finite number";
+    case Status::budget_spent:
+      return "the budget was spent before";
+  }
+  return "nobody knows why";
+}
+
+}  // namespace
+
+std::string in_words(Status status) {
+  return std::string(meaning(status)) + " (" + std::string(to_string(status)) + ")";
+}
+
 }  // namespace nodal

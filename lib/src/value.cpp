@@ -50,6 +50,21 @@ const Value& Value::at(std::string_view key) const {
   throw std::logic_error("a table has no entry '" + std::string(key) + "'");
 }
 
+std::string Value::text_or(std::string_view key, std::string_view otherwise) const {
+  const Value* value = find(key);
+  return value && value->is_text() ? value->text() : std::string(otherwise);
+}
+
+double Value::number_or(std::string_view key, double otherwise) const {
+  const Value* value = find(key);
+  return value && value->is_number() ? value->number() : otherwise;
+}
+
+bool Value::flag_or(std::string_view key, bool otherwise) const {
+  const Value* value = find(key);
+  return value && value->is_boolean() ? value->boolean() : otherwise;
+}
+
 void Value::set(std::string_view key, Value value) {
   Table& entries = table();
   const auto found = std::ranges::find(entries, key, &Table::value_type::first);

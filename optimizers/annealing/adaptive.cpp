@@ -100,14 +100,10 @@ Value describe(const AdaptiveSettings& settings, double temperature) {
 }  // namespace
 
 Outcome AdaptiveAnnealing::minimize(Meter& meter, std::span<const double> start, RandomStream& random) {
-  Outcome outcome;
   MeteredMoves& moves = meter.moves();
   const Evaluation at_start = moves.reset(start);
-  if (!at_start.ok()) {
-    outcome.failed = true;
-    outcome.reason = "the start can't be evaluated: " + std::string(to_string(at_start.status));
-    return outcome;
-  }
+  if (!at_start.ok()) return without_start(at_start.status);
+  Outcome outcome;
   AdaptiveWalk walk(meter, moves, meter.quality(at_start.cost), settings_, random);
   double temperature = walk.mean_worsening() / std::log(1.0 / settings_.initial_acceptance);
   // Where nothing near the start is worse, the start itself gives the scale.

@@ -80,14 +80,10 @@ Schedule make_schedule(const Settings& settings, std::size_t coordinates, double
 }
 
 Outcome Annealing::minimize(Meter& meter, std::span<const double> start, RandomStream& random) {
-  Outcome outcome;
   MeteredMoves& moves = meter.moves();
   const Evaluation at_start = moves.reset(start);
-  if (!at_start.ok()) {
-    outcome.failed = true;
-    outcome.reason = "the start can't be evaluated: " + std::string(to_string(at_start.status));
-    return outcome;
-  }
+  if (!at_start.ok()) return without_start(at_start.status);
+  Outcome outcome;
   const double start_quality = meter.quality(at_start.cost);
   const Schedule schedule = make_schedule(settings_, meter.space().size(), start_quality);
   outcome.effective_options = describe(settings_, schedule);

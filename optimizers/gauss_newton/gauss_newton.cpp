@@ -24,12 +24,13 @@ struct Place {
   double cost = 0.0;
 
   explicit Place(const Meter& meter) : x(meter.space().size()), residuals(meter.residual_count()) {}
-  [[nodiscard]] bool evaluate(Meter& meter) {
+  Status look(Meter& meter) {
     meter.space().clamp(x);
     const Evaluation there = meter.residuals(x, residuals);
     cost = there.cost;
-    return there.ok();
+    return there.status;
   }
+  [[nodiscard]] bool evaluate(Meter& meter) { return look(meter) == Status::ok; }
 };
 
 // One run: the place it is at, the region it trusts.
@@ -46,7 +47,7 @@ class Run {
         gradient_(meter.space().size()),
         box_{std::vector<double>(meter.space().size()), std::vector<double>(meter.space().size())} {}
 
-  bool begin(std::span<const double> start);
+  Status begin(std::span<const double> start);
   /// Why it ends, or nothing when another iteration is worth it.
   std::string iterate();
 
@@ -70,15 +71,17 @@ class Run {
 };
 
 // At the start moved a little; at the start itself where that can't be evaluated.
-bool Run::begin(std::span<const double> start) {
+Status Run::begin(std::span<const double> start) {
+  Status status = Status::invalid_input;
   for (const double jitter : {settings_.jitter, 0.0}) {
     RandomStream draws(kJitterSeed);  // not the trial's: the method is the same every time
     here_.x.assign(start.begin(), start.end());
     for (std::size_t i = 0; i < start.size() && jitter > 0.0; ++i)
       here_.x[i] += jitter * width(i) * draws.uniform(-1.0, 1.0);
-    if (here_.evaluate(meter_)) return true;
+    status = here_.look(meter_);
+    if (status == Status::ok) break;
   }
-  return false;
+  return status;
 }
 
 void Run::set_box(std::span<const double> x) {
@@ -157,12 +160,9 @@ bool Run::correct() {
 }  // namespace
 
 Outcome GaussNewton::minimize(Meter& meter, std::span<const double> start, RandomStream&) {
-  Outcome outcome;
   Run run(meter, settings_);
-  if (!run.begin(start)) {
-    outcome.reason = "the start can't be evaluated";
-    return outcome;
-  }
+  if (const Status status = run.begin(start); status != Status::ok) return without_start(status);
+  Outcome outcome;
   outcome.reason = "max_iterations done";
   outcome.limited = true;
   for (int i = 0; i < settings_.max_iterations; ++i) {

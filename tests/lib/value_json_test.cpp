@@ -301,5 +301,18 @@ TEST(Json, RefusesDamagedTextsPolitely) {
   }
 }
 
+TEST(ValueTable, GivesWhatIsThereAndOfTheType) {
+  const Value table = parse_json(R"({"text": "a", "number": 2, "flag": true})", "t");
+  EXPECT_EQ(table.text_or("text", "b"), "a");
+  EXPECT_EQ(table.text_or("number", "b"), "b");
+  EXPECT_EQ(table.text_or("none", "b"), "b");
+  EXPECT_EQ(table.number_or("number", 0.5), 2.0);
+  EXPECT_EQ(table.number_or("flag", 0.5), 0.5);
+  EXPECT_EQ(table.number_or("none", 0.5), 0.5);
+  EXPECT_TRUE(table.flag_or("flag", false));
+  EXPECT_FALSE(table.flag_or("text", false));
+  EXPECT_TRUE(table.flag_or("none", true));
+}
+
 }  // namespace
 }  // namespace nodal

@@ -5,6 +5,7 @@
 ///
 /// Numerical failure is information for the optimizer and a row for the report: it is returned, never thrown.
 
+#include <string>
 #include <string_view>
 
 namespace nodal {
@@ -19,6 +20,9 @@ enum class Status {
 
 /// The name as it stands in records and messages, e.g. "not_positive_definite".
 [[nodiscard]] std::string_view to_string(Status status) noexcept;
+
+/// What that means, with the name, for people: "a coordinate or the cost is no finite number (invalid_input)".
+[[nodiscard]] std::string in_words(Status status);
 
 /// One cost seen at one point. `cost` means something only when `status` is `ok`.
 struct [[nodiscard]] Evaluation {

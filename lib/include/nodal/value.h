@@ -63,6 +63,10 @@ class Value {
   [[nodiscard]] const Value* find(std::string_view key) const;
   /// The entry of a table; std::logic_error when it isn't there.
   [[nodiscard]] const Value& at(std::string_view key) const;
+  /// The entry of a table where it is there and of that type; else what is given. For what others have written.
+  [[nodiscard]] std::string text_or(std::string_view key, std::string_view otherwise) const;
+  [[nodiscard]] double number_or(std::string_view key, double otherwise) const;
+  [[nodiscard]] bool flag_or(std::string_view key, bool otherwise) const;
   /// Sets or replaces an entry of a table.
   void set(std::string_view key, Value value);
 

@@ -87,23 +87,34 @@ Determination determine(const ElasticProblem& problem, std::span<const double> s
   return found;
 }
 
+namespace {
+
+std::string what_is_open(const Determination& found) {
+  const bool one = found.measured == 1, one_stiffness = found.coordinates == 1;
+  const std::string stiffnesses = fmt::format("{} stiffness{}", found.coordinates, one_stiffness ? "" : "es");
+  if (found.measured < found.coordinates)
+    return fmt::format("{} measured displacement{} can't determine {}", found.measured, one ? "" : "s", stiffnesses);
+  return fmt::format("the {} measured displacement{} {} determine {}{}", found.measured, one ? "" : "s",
+                     one ? "doesn't" : "don't", one_stiffness ? "the " : "all ", stiffnesses);
+}
+
+}  // namespace
+
 std::string describe(const Determination& found, const ElasticProblem& problem) {
   if (found.open == 0) return {};
-  std::string text = found.measured < found.coordinates
-                         ? fmt::format("{} measured displacement{} can't determine {} stiffnesses", found.measured,
-                                       found.measured == 1 ? "" : "s", found.coordinates)
-                         : fmt::format("the {} measured displacements don't determine all {} stiffnesses",
-                                       found.measured, found.coordinates);
+  const std::string text = what_is_open(found);
   if (found.undetermined.empty()) return text;
   std::vector<std::string> names;
   for (const std::size_t i : found.undetermined)
     if (names.size() < kMostNames) names.push_back(coordinate_name(problem, i));
   const std::size_t more = found.undetermined.size() - names.size();
+  const bool one = found.undetermined.size() == 1;
   return text + fmt::format(
-                    ": {} are arbitrary, {}{}: they can change, alone or together, and no displacement does; "
-                    "measure more, add loads, or tie springs by 'parameters'",
-                    found.undetermined.size(), fmt::join(names, ", "),
-                    more > 0 ? fmt::format(" and {} more", more) : "");
+                    ": {} {} arbitrary, {}{}: {} can change{}, and no displacement does; measure more, add loads, or "
+                    "tie springs by 'parameters'",
+                    found.undetermined.size(), one ? "is" : "are", fmt::join(names, ", "),
+                    more > 0 ? fmt::format(" and {} more", more) : "", one ? "it" : "they",
+                    one ? "" : ", alone or together");
 }
 
 }  // namespace nodal::elastic

@@ -8,6 +8,7 @@
 
 #include "elastic_evaluator.h"
 #include "elastic_model.h"
+#include "stiffness_bounds.h"
 
 namespace nodal::elastic {
 
@@ -16,8 +17,6 @@ namespace {
 // How far inside its bounds a start is moved that a rule put outside: this share of ln(upper/lower). Methods that
 // start on a bound can stick to it.
 constexpr double kJustInside = 1e-6;
-// A start this near to a bound, in ln k, is at it: what decimal digits, exp and ln leave of a bound.
-constexpr double kAtBound = 1e-12;
 
 std::string voronoi_detail(const Net& net) {
   if (net.history.empty()) return "no points were spread by them";
@@ -53,7 +52,7 @@ struct ElasticProblem::Data {
     model.parameters.coordinates(model.scene.initial_stiffness, start);
     std::vector<Coordinate> coordinates;
     for (std::size_t i = 0; i < start.size(); ++i) {
-      const bool outside = !(lower - kAtBound <= start[i] && start[i] <= upper + kAtBound);
+      const bool outside = !within_bounds(start[i], lower, upper);
       if (outside) ++moved_starts;
       const double keep_off = outside ? margin : 0.0;
       const double inside = std::clamp(start[i], lower + keep_off, upper - keep_off);

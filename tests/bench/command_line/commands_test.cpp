@@ -67,7 +67,13 @@ TEST(Compare, ExitsWithOneWhenATrialFailed) {
   folder.write("soft.toml", study);
   const Output output = run(folder, {"compare", "soft.toml", "--only", "annealing", "--repeats", "1"});
   EXPECT_EQ(output.exit, 1) << output.err;
-  EXPECT_TRUE(contains(output.err, "the start can't be evaluated: not_positive_definite")) << output.err;
+  const std::string reason = "the start can't be evaluated: the system can't carry its loads (not_positive_definite)";
+  EXPECT_TRUE(contains(output.err, reason)) << output.err;
+  for (const char* method : {"annealing-adaptive", "gauss-newton"}) {
+    const Output fit = run(folder, {"fit", "soft.toml", "--with", method});
+    EXPECT_EQ(fit.exit, 1) << method;
+    EXPECT_TRUE(contains(fit.err, reason)) << fit.err;
+  }
   const Output evaluated = run(folder, {"evaluate", "soft.toml"});
   EXPECT_EQ(evaluated.exit, 1);
   EXPECT_TRUE(contains(evaluated.err, "a mechanism or not supported: it gives way at node")) << evaluated.err;

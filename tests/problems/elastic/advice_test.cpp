@@ -63,6 +63,21 @@ TEST_F(SmallSystem, WithoutSpringsAreNamed) {
   EXPECT_PRED2(says, refusal(text), "no spring ends at node 7: join it, or leave it out");
 }
 
+// Of a net without any width, too, two nodes are named, and what is advised holds them.
+TEST_F(SmallSystem, WithoutSupportsAreToldTwoNodes) {
+  write("springs.csv", "first,second,stiffness\n1,2,1\n");
+  const std::string text =
+      "points = { file = \"nodes.csv\" }\nsprings = { file = \"springs.csv\" }\n[[problem.loads.cases]]\nname = "
+      "\"a\"\nforces = [{ nodes = [2], force = [1, 1] }]\n";
+  for (const auto& [nodes, advice] : {std::pair("node,x,y\n1,0,0\n2,0,3\n", "{ nodes = [2], fix = \"x\" }"),
+                                      std::pair("node,x,y\n1,0,0\n2,3,0\n", "{ nodes = [2], fix = \"y\" }")}) {
+    write("nodes.csv", nodes);
+    const std::string supports = std::string("supports = [{ nodes = [1] }, ") + advice + "]";
+    EXPECT_PRED2(says, refusal(text), supports + " does");
+    EXPECT_EQ(refusal(text + supports + "\n"), "(nothing was thrown)");
+  }
+}
+
 // A factor that is best for forces leaves alone what supports do that move.
 TEST_F(SmallSystem, ThatSupportsMoveAreScaledBest) {
   std::string text = study("[2, 3]");

@@ -63,6 +63,10 @@ TEST(Wkt, IsReadInTheWrappingsOfOtherPrograms) {
             "a.wkt:1: there is more than one polygon; a body is one: give each a file of its own");
   EXPECT_EQ(wkt_refusal("SRID=4326 POLYGON((0 0,1 0,1 1,0 0))"),
             "a.wkt:1: 'SRID=4326' must end with a semicolon: SRID=4326;POLYGON…");
+  for (const char* text : {"SRID=1;", "SRID=1; \n", "\"SRID=1;\""})
+    EXPECT_EQ(wkt_refusal(text),
+              "a.wkt:1: nothing follows 'SRID=1;'; an outline is POLYGON ((x y, x y, …, x y), …), with the first point "
+              "again at the end");
 }
 
 TEST(Wkt, LeavesOutAHeightThatIsTheSameEverywhere) {

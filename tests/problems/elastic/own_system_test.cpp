@@ -180,6 +180,20 @@ TEST_F(OwnSystem, SpringsWithoutForceAreNamed) {
             "'parameters'");
 }
 
+// The bar between two held nodes.
+TEST_F(OwnSystem, OneSpringWithoutForceIsSaidInTheSingular) {
+  write("nodes.csv", "node,x,y\n1,0,0\n2,4,0\n3,2,3\n");
+  write("springs.csv", "first,second,stiffness\n1,2,10\n1,3,10\n2,3,10\n");
+  write("displacements.csv", "node,ux,uy\n3,0.1,-0.2\n");
+  const auto truss = read(
+      "points = { file = \"nodes.csv\" }\nsprings = { file = \"springs.csv\" }\nreference = { file = "
+      "\"displacements.csv\" }\n[[problem.loads.cases]]\nname = \"load\"\nsupports = [{ nodes = [1, 2] "
+      "}]\nforces = [{ nodes = [3], force = [1, -2] }]\n");
+  EXPECT_EQ(describe(determine(*truss, truss->start_stiffness()), *truss),
+            "2 measured displacements can't determine 3 stiffnesses: 1 is arbitrary, (1, 2): it can change, and no "
+            "displacement does; measure more, add loads, or tie springs by 'parameters'");
+}
+
 // What is called arbitrary is: twice the stiffness changes nothing that was measured, of the others it does.
 TEST_F(OwnSystem, ArbitrarySpringsChangeNothing) {
   const auto truss = read(king_post("file = \"springs.csv\""));

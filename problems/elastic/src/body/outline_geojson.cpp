@@ -17,8 +17,7 @@ namespace {
 
 // The text of `key`, or "" where there is none.
 std::string text_of(const Value& object, std::string_view key) {
-  const Value* value = object.is_table() ? object.find(key) : nullptr;
-  return value && value->is_text() ? value->text() : "";
+  return object.is_table() ? object.text_or(key, "") : "";
 }
 
 const Value& list_of(const Value& object, const char* key, const char* owner) {

@@ -98,6 +98,9 @@ class WktReader {
   void take_srid() {
     if (!upper_case(token_.substr(0, 5)).starts_with("SRID=")) return;
     const std::size_t end = token_.find(';');
+    // A semicolon that ends the text is gone already.
+    if (end == std::string_view::npos && text_.empty())
+      refuse(fmt::format("nothing follows '{};'; {}", quoted(), kWanted));
     if (end == std::string_view::npos)
       refuse(fmt::format("'{}' must end with a semicolon: SRID=4326;POLYGON…", quoted()));
     outline_.remarks.push_back(fmt::format("{}: SRID {} is left out, coordinates are taken for metres",

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <span>
 
@@ -144,6 +145,17 @@ struct Held {
   Source source;
 };
 
+// Whether all of the forces, of which there are some, act where supports hold the nodes.
+bool only_on_supports(std::span<const double> forces, const std::map<std::size_t, Held>& held) {
+  bool some = false;
+  for (std::size_t f = 0; f < forces.size(); ++f) {
+    if (forces[f] == 0.0) continue;
+    if (!held.contains(f)) return false;
+    some = true;
+  }
+  return some;
+}
+
 std::string add_supports(const Options& table, const Net& net, std::map<std::size_t, Held>& held) {
   const std::string& fix = table.text("fix");
   const bool measured = table.boolean("measured");
@@ -172,8 +184,14 @@ OwnCase read_case(const Options& table, const Net& net) {
   std::map<std::size_t, Held> held;
   const auto note = [&](std::string selection) { result.selections.push_back(std::move(selection)); };
   for (const Options& support : table.tables("supports")) note(add_supports(support, net, held));
-  for (const Options& force : table.tables("forces")) note(add_forces(force, net, result.forces));
-  for (const Options& traction : table.tables("tractions")) note(add_tractions(traction, net, result.forces));
+  const auto pull = [&](const Options& entry, auto add) {
+    std::vector<double> own(result.forces.size(), 0.0);
+    note(add(entry, net, own));
+    if (only_on_supports(own, held)) result.idle.push_back(result.selections.back());
+    std::ranges::transform(own, result.forces, result.forces.begin(), std::plus<>());
+  };
+  for (const Options& force : table.tables("forces")) pull(force, add_forces);
+  for (const Options& traction : table.tables("tractions")) pull(traction, add_tractions);
   bool moved = std::ranges::any_of(result.forces, [](double f) { return f != 0.0; });
   for (const auto& [freedom, hold] : held) {
     result.supports.push_back({freedom / 2, freedom % 2, hold.value});

@@ -21,6 +21,7 @@ struct OwnCase {
   std::vector<std::size_t> held_as_measured;  ///< freedoms among them whose value is to come from the reference
   Source source;
   std::vector<std::string> selections = {};  ///< what each selection took, for people
+  std::vector<std::string> idle = {};        ///< the selections whose forces act only where supports hold the nodes
 };
 
 /// The fields of one entry of `cases`.

@@ -114,6 +114,46 @@ void only_solved(const std::vector<OwnCase>& cases, const Source& source, Scene&
   apply_measurements(std::vector<MeasuredLoad>(cases.size(), {zero, all}), scene.loads);
 }
 
+bool moves(const LoadCase& load, const SupportGroup& group) {
+  std::vector<bool> held(load.forces.size(), false);
+  for (const Support& s : group.supports) {
+    if (s.value != 0.0) return true;
+    held[2 * s.node + s.axis] = true;
+  }
+  for (std::size_t f = 0; f < held.size(); ++f)
+    if (!held[f] && load.forces[f] != 0.0) return true;
+  return false;
+}
+
+// Supports bear what pulls at them, and no spring feels it: such a load is the same at all stiffnesses.
+void tell_of_idle_loads(const std::vector<OwnCase>& cases, Scene& scene) {
+  for (std::size_t l = 0; l < cases.size(); ++l) {
+    const OwnCase& one = cases[l];
+    const LoadCase& load = scene.loads.loads[l];
+    if (moves(load, scene.loads.groups[load.group])) {
+      for (const std::string& idle : one.idle)
+        scene.findings.push_back(
+            fmt::format("load '{}': {}, but only where supports hold: they bear all of it, and nothing moves by it",
+                        one.name, idle));
+      continue;
+    }
+    const bool pulled = std::ranges::any_of(load.forces, [](double f) { return f != 0.0; });
+    const std::string why = fmt::format(
+        "nothing moves in load '{}': {}", one.name,
+        !pulled            ? "its supports are held as measured, which is at rest, and nothing pulls"
+        : one.idle.empty() ? "what pulls acts only where supports hold, and they bear all of it"
+                           : fmt::format("what pulls acts only where supports hold, and they bear all of it ({})",
+                                         fmt::join(one.idle, "; ")));
+    if (!scene.has_reference) {
+      scene.findings.push_back(why + "; all displacements and spring forces are 0");
+      continue;
+    }
+    throw InputError(one.source, why +
+                                     ", so no stiffness can fit its reference; pull at nodes that are free to move, or "
+                                     "leave the load out");
+  }
+}
+
 std::string summary(const std::string& file, const std::vector<MeasuredLoad>& measured) {
   std::size_t known = 0, all = 0;
   for (const MeasuredLoad& load : measured) {
@@ -212,6 +252,7 @@ void read_loads(const Options& problem, const ProblemContext& context, Scene& sc
       throw InputError(reference.values().source,
                        "method = \"file\" needs a file: reference = { file = \"displacements.csv\" }");
     if (own) only_solved(cases, reference.values().source, scene);
+    tell_of_idle_loads(cases, scene);
     return;
   }
   std::vector<std::string> names;
@@ -221,6 +262,7 @@ void read_loads(const Options& problem, const ProblemContext& context, Scene& sc
   for (std::size_t l = 0; l < cases.size(); ++l)
     hold_as_measured(cases[l], measured[l], scene.net, scene.loads.groups[l]);
   apply_measurements(measured, scene.loads);
+  tell_of_idle_loads(cases, scene);
   scene.measured_reference = summary(reference.text("file"), measured);
 }
 

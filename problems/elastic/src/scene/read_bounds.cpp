@@ -4,17 +4,14 @@
 #include <nodal/elastic/stiffness.h>
 
 #include <cmath>
-#include <stdexcept>
 
 #include <fmt/format.h>
 
-#include "energy_start.h"
+#include "stiffness_bounds.h"
 
 namespace nodal::elastic {
 
 namespace {
-
-constexpr std::array<double, 2> kDefault = {1e-4, 1e2};
 
 std::array<double, 2> times(const std::array<double, 2>& bounds, double unit, const Source& source, const char* what) {
   const std::array<double, 2> scaled = {bounds[0] * unit, bounds[1] * unit};
@@ -38,36 +35,26 @@ double geometric_mean(const std::vector<double>& stiffness) {
   return std::exp(sum / static_cast<double>(stiffness.size()));
 }
 
-// Where nothing scales a start, it is taken as it is.
-double best_factor(const Scene& scene, const std::vector<double>& stiffness) {
-  if (!scene.has_reference) return 1.0;
-  try {
-    return best_scale(scene, stiffness);
-  } catch (const std::invalid_argument&) {
-    return 1.0;
-  }
-}
-
 // What springs from a file have, about; and in words.
 std::pair<double, std::string> typical(const Options& springs, const ProblemContext& context, const StudyNet& study,
-                                       const Scene& scene) {
+                                       BestPaperStart& paper, const Scene& scene) {
   if (!study.stiffness.empty()) return {geometric_mean(study.stiffness), "the springs' stiffnesses"};
   if (springs.has("initial") && springs.at("initial").is_table())
     if (const Options start(springs.at("initial")); start.has("file"))
       return {geometric_mean(read_stiffness_file(context.directory / start.text("file"), scene.net)),
               "the start's stiffnesses"};
-  const std::vector<double> paper = paper_stiffness(scene.net, scene.material);
-  return {best_factor(scene, paper) * geometric_mean(paper), "the start by 'paper' at its best factor"};
+  return {geometric_mean(paper.of(scene).stiffness), "the start by 'paper' at its best factor"};
 }
 
 }  // namespace
 
-void read_bounds(const Options& springs, const ProblemContext& context, const StudyNet& study, Scene& scene) {
+void read_bounds(const Options& springs, const ProblemContext& context, const StudyNet& study, BestPaperStart& paper,
+                 Scene& scene) {
   const bool own = springs.has("file");
   const bool given = springs.has("bounds");
   const Source& source = given ? springs.at("bounds").source : springs.values().source;
   if (given || !own) {
-    const std::array<double, 2> bounds = given ? of_study(springs) : kDefault;
+    const std::array<double, 2> bounds = given ? of_study(springs) : kDefaultBounds;
     scene.stiffness_bounds =
         times(bounds, scene.material.young * scene.net.body.thickness, source, "young × thickness");
     scene.bounds_origin = fmt::format("[{}, {}] × young × thickness", bounds[0], bounds[1]);
@@ -78,9 +65,10 @@ void read_bounds(const Options& springs, const ProblemContext& context, const St
     scene.bounds_origin = "as the file of springs says";
     return;
   }
-  const auto [typical_stiffness, of_what] = typical(springs, context, study, scene);
-  scene.stiffness_bounds = times(kDefault, typical_stiffness, source, "the springs' stiffnesses");
-  scene.bounds_origin = fmt::format("[{}, {}] × the geometric mean of {}", kDefault[0], kDefault[1], of_what);
+  const auto [typical_stiffness, of_what] = typical(springs, context, study, paper, scene);
+  scene.stiffness_bounds = times(kDefaultBounds, typical_stiffness, source, "the springs' stiffnesses");
+  scene.bounds_origin =
+      fmt::format("[{}, {}] × the geometric mean of {}", kDefaultBounds[0], kDefaultBounds[1], of_what);
 }
 
 }  // namespace nodal::elastic

@@ -12,12 +12,14 @@
 
 #include <nodal/elastic/elastic_problem.h>
 
+#include "scene/paper_start.h"
 #include "scene/read_net.h"
 
 namespace nodal::elastic {
 
 /// Fills bounds and their origin in a scene whose net, loads and material are there. InputError for bounds that are
 /// none.
-void read_bounds(const Options& springs, const ProblemContext& context, const StudyNet& study, Scene& scene);
+void read_bounds(const Options& springs, const ProblemContext& context, const StudyNet& study, BestPaperStart& paper,
+                 Scene& scene);
 
 }  // namespace nodal::elastic

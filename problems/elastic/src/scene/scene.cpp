@@ -16,11 +16,13 @@
 #include "loads/study_loads.h"
 #include "points/written_places.h"
 #include "scene/memory_need.h"
+#include "scene/paper_start.h"
 #include "scene/read_bounds.h"
 #include "scene/read_masses.h"
 #include "scene/read_net.h"
 #include "scene/read_parameters.h"
 #include "scene/require_rigid.h"
+#include "stiffness_bounds.h"
 
 namespace nodal::elastic {
 
@@ -39,12 +41,11 @@ Material read_material(const Options& options) {
 }
 
 // A start of the user's own may be evaluated outside the bounds, but not fitted from there; a rule's is moved inside
-// (elastic_problem.cpp). What decimal digits, exp and ln leave of a bound is at it.
+// (elastic_problem.cpp).
 void require_within_bounds(const std::vector<double>& k, const Source& source, Scene& scene) {
-  constexpr double kRounding = 1e-12;
   const auto [lower, upper] = scene.stiffness_bounds;
   for (std::size_t e = 0; e < k.size() && scene.fit_refusal.empty(); ++e) {
-    if (lower * (1.0 - kRounding) <= k[e] && k[e] <= upper * (1.0 + kRounding)) continue;
+    if (within_bounds(std::log(k[e]), std::log(lower), std::log(upper))) continue;
     const Spring& spring = scene.net.springs[e];
     const InputError refusal(source, fmt::format("the start's spring ({}, {}) has stiffness {}, outside the bounds "
                                                  "[{}, {}] ({}); change the file or springs = {{ bounds = … }}",
@@ -66,14 +67,13 @@ std::vector<double> stiffness_by_rule(const std::string& rule, const Source& sou
   }
 }
 
-void scale_by(double factor, Scene& scene) {
-  scene.initial_rule += fmt::format(", scaled by its best single factor {:.6g}", factor);
-  for (double& k : scene.initial_stiffness) k *= factor;
-}
+std::string scaled_by(double factor) { return fmt::format(", scaled by its best single factor {:.6g}", factor); }
 
 void scale_best(const Source& source, Scene& scene) {
   try {
-    scale_by(best_scale(scene, scene.initial_stiffness), scene);
+    const double factor = best_scale(scene, scene.initial_stiffness);
+    scene.initial_rule += scaled_by(factor);
+    for (double& k : scene.initial_stiffness) k *= factor;
   } catch (const std::invalid_argument& error) {
     throw InputError(source, fmt::format("'scale' can't be \"best\": {}", error.what()));
   }
@@ -87,7 +87,8 @@ bool is_the_papers_plate(const Net& net) {
 
 // What a file of springs says; else the paper's rule, on its own plate as it is, elsewhere times its best factor. A net
 // without such a factor starts all the same, and it is said.
-void read_default_start(const Options& springs, const std::vector<double>& of_file, Scene& scene) {
+void read_default_start(const Options& springs, const std::vector<double>& of_file, BestPaperStart& paper,
+                        Scene& scene) {
   if (!of_file.empty()) {
     scene.initial_rule = "as the file of springs says";
     scene.initial_stiffness = of_file;
@@ -99,19 +100,19 @@ void read_default_start(const Options& springs, const std::vector<double>& of_fi
                      "the springs have no stiffness, and there is no reference to find it by; give the file a column "
                      "'stiffness', or springs = { initial = { file = \"stiffness.json\" } }");
   scene.initial_rule = "paper";
-  scene.initial_stiffness = paper_stiffness(scene.net, scene.material);
-  if (is_the_papers_plate(scene.net) && !springs.has("file")) return;
-  try {
-    scale_by(best_scale(scene, scene.initial_stiffness), scene);
-  } catch (const std::invalid_argument& error) {
-    scene.initial_rule += ", unscaled";
-    scene.findings.push_back(fmt::format("the start has no best scale: {}", error.what()));
+  if (is_the_papers_plate(scene.net) && !springs.has("file")) {
+    scene.initial_stiffness = paper_stiffness(scene.net, scene.material);
+    return;
   }
+  scene.initial_stiffness = paper.of(scene).stiffness;
+  const std::string& why = paper.of(scene).unscaled;
+  scene.initial_rule += why.empty() ? scaled_by(paper.of(scene).factor) : ", unscaled";
+  if (!why.empty()) scene.findings.push_back("the start has no best scale: " + why);
 }
 
 void read_start(const Options& springs, const ProblemContext& context, const std::vector<double>& of_file,
-                Scene& scene) {
-  if (!springs.has("initial")) return read_default_start(springs, of_file, scene);
+                BestPaperStart& paper, Scene& scene) {
+  if (!springs.has("initial")) return read_default_start(springs, of_file, paper, scene);
   const Value& initial = springs.at("initial");
   if (initial.is_text()) {
     scene.initial_rule = initial.text();
@@ -244,8 +245,9 @@ Scene make_scene(const Options& options, const ProblemContext& context) {
   const Options springs = options.table("springs");
   scene.parameter_rule = read_parameters(springs.at("parameters"), scene.net, study.groups);
   scene.moves = read_moves(options.table("moves"), scene);
-  read_bounds(springs, context, study, scene);
-  read_start(springs, context, study.stiffness, scene);
+  BestPaperStart paper;
+  read_bounds(springs, context, study, paper, scene);
+  read_start(springs, context, study.stiffness, paper, scene);
   scene.files_hash = hash_files(options, context);
   return scene;
 }

@@ -2,6 +2,8 @@
 #include <nodal/elastic/elastic_problem.h>
 #include <nodal/provenance.h>
 
+#include <fmt/format.h>
+
 #include "body/body_options.h"
 #include "cholesky.h"
 #include "files/table_options.h"
@@ -9,6 +11,7 @@
 #include "scene/read_masses.h"
 #include "scene/read_parameters.h"
 #include "scene/read_points.h"
+#include "stiffness_bounds.h"
 #include "triangulation/triangulation.h"
 
 namespace nodal {
@@ -57,7 +60,9 @@ OptionSchema springs_fields() {
                "of a convex energy; or a table with 'rule' and 'scale', or with 'file'",
        .fields = initial_fields(), .or_table = true},
       {.name = "bounds", .type = OptionType::number_list,
-       .default_text = "[1e-4, 1e2]; with a file of springs those of the file, or that times the geometric mean of its stiffnesses, or of the start at its best factor [N/m]",
+       .default_text = fmt::format("[{}, {}]; with a file of springs those of the file, or that times the geometric mean "
+                                   "of its stiffnesses, or of the start at its best factor [N/m]",
+                                   kDefaultBounds[0], kDefaultBounds[1]),
        .unit = "young × thickness", .minimum = 0.0, .minimum_excluded = true, .length = 2,
        .help = "lowest and highest stiffness of a spring"},
   };

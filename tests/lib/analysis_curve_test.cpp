@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Curves over seconds, evaluations and work.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include <nodal/random.h>
+
+#include "analysis_trials.h"
+
+namespace nodal {
+namespace {
+
+TEST(Curve, IsSpacedEvenlyInTheLogarithmFromOneToTheEnd) {
+  const std::vector<TrialRecord> records = {trial("a", 0, {{10, 5.0}}), trial("a", 1, {{20, 4.0}})};
+  const std::vector<CurvePoint> curve = make_curve(pointers(records), Axis::evaluations, 21);
+  ASSERT_EQ(curve.size(), 21u);
+  EXPECT_EQ(curve.front().position, 1.0);
+  EXPECT_EQ(curve.back().position, 100.0);
+  for (std::size_t i = 1; i < curve.size(); ++i)  // 20 steps from 1 to 100; pow is good to a few ulps
+    EXPECT_NEAR(curve[i].position / curve[i - 1].position, std::pow(100.0, 1.0 / 20.0), 1e-12);
+}
+
+TEST(Curve, HoldsTheQuartilesOfTheBestSoFar) {
+  const std::vector<TrialRecord> records = {trial("a", 0, {{10, 5.0}}), trial("a", 1, {{10, 3.0}}),
+                                            trial("a", 2, {{50, 1.0}})};
+  const std::vector<CurvePoint> curve = make_curve(pointers(records), Axis::evaluations, 3);  // at 1, 10 and 100
+  ASSERT_EQ(curve.size(), 3u);
+  expect_quartiles(curve[0].quality, 11.0, 11.0, 11.0);
+  expect_quartiles(curve[2].quality, 2.0, 3.0, 4.0);
+}
+
+TEST(Curve, KeepsTheBestOfATrialThatHasEnded) {
+  const std::vector<TrialRecord> records = {trial("a", 0, {{2, 1.0}}, 4), trial("a", 1, {{80, 9.0}}, 100)};
+  const std::vector<CurvePoint> curve = make_curve(pointers(records), Axis::evaluations, 50);
+  EXPECT_EQ(curve.back().position, 100.0);
+  EXPECT_DOUBLE_EQ(curve.back().quality.median, 5.0);
+}
+
+// On the axis of seconds trials begin at different moments: 0.001 s, 1 s and 2 s here.
+TEST(Curve, BeginsWhereTheMedianTrialHasItsFirstPoint) {
+  std::vector<TrialRecord> records = {trial("a", 0, {{50, 5.0}}), trial("a", 1, {{50, 4.0}}),
+                                      trial("a", 2, {{50, 3.0}})};
+  records[1].trace[0].seconds = 1.0;
+  records[2].trace[0].seconds = 2.0;
+  const std::vector<CurvePoint> curve = make_curve(pointers(records), Axis::seconds, 30);
+  EXPECT_EQ(curve.front().position, 1.0);
+  EXPECT_DOUBLE_EQ(curve.back().position, 10.0);
+}
+
+// Work at the start may be more than one value's: then the first positions have no trial on the way.
+TEST(Curve, LeavesOutPositionsThatFewerThanHalfOfTheTrialsHaveReached) {
+  std::vector<TrialRecord> records = {trial("a", 0, {{50, 5.0}}), trial("a", 1, {{50, 4.0}}),
+                                      trial("a", 2, {{50, 3.0}})};
+  for (TrialRecord& record : records) {
+    record.flops_per_value = 1.0;
+    record.work = {101, 0, 0, 404.0, 404.0};  // 4 values' worth at every factorization
+  }
+  const std::vector<CurvePoint> curve = make_curve(pointers(records), Axis::work, 200);
+  ASSERT_FALSE(curve.empty());
+  EXPECT_GE(curve.front().position, 4.0);
+  EXPECT_LT(curve.front().position, 4.2);  // 200 steps over ln 404: 3 % each
+  records[0].work = records[1].work = {101, 0, 0, 101.0, 101.0};
+  EXPECT_EQ(make_curve(pointers(records), Axis::work, 200).front().position, 1.0);
+}
+
+TEST(Curve, FallsMonotonically) {
+  RandomStream random(3);
+  for (int i = 0; i < 100; ++i) {
+    std::vector<TrialRecord> records;
+    for (std::size_t n = 1 + random.index(7); n > 0; --n) {
+      std::vector<std::pair<std::int64_t, double>> improvements;
+      double quality = 11.0;
+      for (std::int64_t evaluation = 1; evaluation < 100; ++evaluation)
+        if (random.index(5) == 0) improvements.emplace_back(evaluation, quality *= random.uniform(0.5, 1.0));
+      records.push_back(trial("a", static_cast<int>(n), improvements));
+    }
+    for (const Axis axis : {Axis::evaluations, Axis::work}) {
+      const std::vector<CurvePoint> curve = make_curve(pointers(records), axis);
+      ASSERT_EQ(curve.size(), 120u);
+      for (std::size_t j = 1; j < curve.size(); ++j) {
+        EXPECT_LT(curve[j - 1].position, curve[j].position);
+        EXPECT_GE(curve[j - 1].quality.lower, curve[j].quality.lower);
+        EXPECT_GE(curve[j - 1].quality.median, curve[j].quality.median);
+        EXPECT_GE(curve[j - 1].quality.upper, curve[j].quality.upper);
+      }
+    }
+  }
+}
+
+TEST(Curve, IsEmptyWhereNothingHappened) {
+  EXPECT_TRUE(make_curve({}, Axis::evaluations).empty());
+  EXPECT_TRUE(make_curve({}, Axis::seconds).empty());
+  const std::vector<TrialRecord> lost = {TrialRecord{}, TrialRecord{}};
+  for (const Axis axis : {Axis::seconds, Axis::evaluations, Axis::work})
+    EXPECT_TRUE(make_curve(pointers(lost), axis).empty());
+  const std::vector<TrialRecord> records = {trial("a", 0, {{10, 5.0}})};
+  EXPECT_TRUE(make_curve(pointers(records), Axis::evaluations, 1).empty());
+}
+
+TEST(Axes, HaveNames) {
+  EXPECT_EQ(to_string(Axis::seconds), "seconds");
+  EXPECT_EQ(to_string(Axis::evaluations), "evaluations");
+  EXPECT_EQ(to_string(Axis::work), "work");
+}
+
+}  // namespace
+}  // namespace nodal
