@@ -14,7 +14,6 @@
 #include "console.h"
 #include "progress.h"
 #include "report/left_out.h"
-#include "rerun.h"
 #include "stop_signal.h"
 #include "write_report.h"
 
@@ -27,14 +26,10 @@ void say_left_out(const Study& study) {
 }
 
 CompareResult run(const Study& study, const Registry& registry, const std::string& directory,
-                  const CompareArguments& arguments) {
+                  CompareOptions options) {
   Store store{directory};
   const StopSignal stop;
   Progress progress(::isatty(STDERR_FILENO) == 1);
-  CompareOptions options;
-  options.jobs = arguments.jobs;
-  options.rerun = arguments.rerun;
-  options.fresh = arguments.fresh;
   options.interrupted = &stop.flag();
   CompareObserver observer;
   observer.began = [&](std::size_t total, std::size_t stored) { progress.began(total, stored); };
@@ -57,11 +52,14 @@ std::string way_on(const CompareArguments& arguments) {
 
 int compare_command(const CompareArguments& arguments, const Registry& registry) {
   const Study study = read_study(arguments.study, registry, arguments.overrides);
-  require_comparable(study);  // before anything is written
-  (void)read_rerun(study, arguments.rerun, arguments.fresh);
+  CompareOptions options;
+  options.jobs = arguments.jobs;
+  options.rerun = arguments.rerun;
+  options.fresh = arguments.fresh;
+  require_comparable(study, options);  // before anything is written
   say_left_out(study);
   const std::string directory = arguments.out.empty() ? "results/" + study.name : arguments.out;
-  const CompareResult result = run(study, registry, directory, arguments);
+  const CompareResult result = run(study, registry, directory, options);
   if (result.interrupted) {
     std::cerr << fmt::format("interrupted: {} trials of this run are stored in '{}'; {}\n", result.ran, directory,
                              way_on(arguments));

@@ -197,7 +197,7 @@ class Comparison {
 
 }  // namespace
 
-void require_comparable(const Study& study) {
+void require_comparable(const Study& study, const CompareOptions& options) {
   const Source file{study.path.string(), 0};
   if (study.optimizers.empty())
     throw InputError(file,
@@ -206,11 +206,12 @@ void require_comparable(const Study& study) {
     throw InputError(file, "the study sets no budget; give [budget] seconds or evaluations");
   for (const StudyProblem& entry : study.problems)
     if (const std::string refusal = entry.problem->fit_refusal(); !refusal.empty()) throw InputError(refusal);
+  (void)read_rerun(study, options.rerun, options.fresh);
 }
 
 CompareResult compare(const Study& study, const Registry& registry, Store& store, const CompareOptions& options,
                       const CompareObserver& observer) {
-  require_comparable(study);
+  require_comparable(study, options);
   return Comparison(study, registry, store, options, observer).run();
 }
 

@@ -202,10 +202,29 @@ void expect_reached_at_the_start(const ProblemTable& table) {
 
 TEST(Table, CountsAStartThatIsTheBestKnownAsThere) {
   expect_reached_at_the_start(table_from(0.73763, 0.73763));
-  expect_reached_at_the_start(table_from(0.73763, std::nullopt));    // the best of these trials, to rounding
   expect_reached_at_the_start(table_from(0.73763, 0.7376));          // as people write it down
   expect_reached_at_the_start(table_from(0.5, 0.73763));             // better than was known
   expect_reached_at_the_start(table_from(2.8e-17, 1.4e-17, 1e-34));  // a perfect fit
+}
+
+// The best of trials that found nothing: nobody knows how far away the best is.
+TEST(Table, CountsNothingAsReachedWhereNoTrialImprovedOnAProvisionalBest) {
+  const ProblemTable table = table_from(0.73763, std::nullopt);
+  EXPECT_TRUE(table.reference.unimproved);
+  EXPECT_FALSE(table.start_is_best);
+  for (const OptimizerRow& row : table.rows)
+    for (const TargetRow& target : row.targets) {
+      EXPECT_EQ(target.reached, 0u);
+      EXPECT_FALSE(target.median[0].has_value());
+    }
+  EXPECT_FALSE(table_from(0.73763, 0.7).reference.unimproved);  // given: something is known
+  expect_reached_at_the_start(table_from(2.8e-17, std::nullopt, 1e-34));  // a perfect fit is the best there is
+  // One trial that found something gives it a meaning, also for one that began there.
+  std::vector<TrialRecord> records = {trial("a", 0, {{7, 1.0}}), trial("a", 1, {})};
+  records[1].start.quality = records[1].trace[0].quality = records[1].best->summary.quality.emplace(1.0);
+  const ProblemTable improved = make_table("p", std::nullopt, std::vector<RowRequest>{{"a", "a", true}}, records);
+  EXPECT_FALSE(improved.reference.unimproved);
+  EXPECT_EQ(improved.rows[0].target(1e-8).success_rate, 1.0);
 }
 
 TEST(Table, KnowsAQualityOnlyToItsDigits) {

@@ -225,12 +225,12 @@ TEST(Study, RefusesNumbersThatAreNotFinite) {
 TEST(Study, OffersTheNearestOfAnUnknownName) {
   EXPECT_EQ(refusal("[problem]\nkind = \"bowls\"\n"), "s.toml:2: unknown problem 'bowls'; did you mean 'bowl'?");
   EXPECT_EQ(refusal("[problem]\nkind = \"elastic\"\n"),
-            "s.toml:2: unknown problem 'elastic'; valid: 'bowl', 'bare', 'broken', 'unspeakable'");
+            "s.toml:2: unknown problem 'elastic'; valid: 'bowl', 'bare', 'broken', 'unspeakable', 'unmade'");
   EXPECT_EQ(refusal_after_problem("[[optimizer]]\nuse = \"halfing\"\n"),
             "s.toml:4: unknown optimizer 'halfing'; did you mean 'halving' or 'hanging'?");
   EXPECT_EQ(refusal_after_problem("[[optimizer]]\nuse = \"\"\n"),
             "s.toml:4: unknown optimizer ''; valid: 'halving', 'wanderer', 'newton', 'walker', 'aborting', 'hanging', "
-            "'leaving', 'throwing', 'latin', 'talkative', 'piping'");
+            "'leaving', 'throwing', 'throwing-a-number', 'unmade', 'latin', 'talkative' and 1 more");
 }
 
 TEST(Study, TakesSeveralLabelsAtOnceAndLabelsWithCommas) {

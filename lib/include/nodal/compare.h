@@ -46,11 +46,11 @@ struct CompareResult {
   bool interrupted = false;
 };
 
-/// InputError for a study without optimizers or without a budget: it can be evaluated, but not compared.
-void require_comparable(const Study& study);
+/// InputError for a study without optimizers or without a budget, which can be evaluated, but not compared, and for a
+/// word in `rerun` that means nothing. To be asked before a store is made.
+void require_comparable(const Study& study, const CompareOptions& options = {});
 
-/// Requires a comparable study. StoreError when a result can't be stored; what runs is killed. InputError, before
-/// anything is written, for a word in `rerun` that means nothing.
+/// Requires a comparable study before anything is written. StoreError when a result can't be stored; what runs is killed.
 ///
 /// A trial whose process was stopped and continued is run again, three times at most; a comparison of another process
 /// that writes to the same store is warned of, and noted in the records.
