@@ -138,7 +138,7 @@ void add_fit(CLI::App& app, const Registry& registry, int& exit) {
       .add_option("--prune-loss", to->prune_loss,
                   "How much larger --prune may make the error before the second fit, as a share of it (default: 0.01)")
       ->type_name("SHARE")
-      ->check(CLI::NonNegativeNumber)
+      ->check(not_below_zero())
       ->needs(prune);
   command.add_option("--export", to->out, "Where the stiffness file goes (default: stdout)")->type_name("FILE.json");
   add_picture(command, to->picture);

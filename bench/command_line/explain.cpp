@@ -49,12 +49,12 @@ std::string budget_text(const Budget& budget) {
   if (budget.seconds) add(fmt::format("{:g} s", *budget.seconds));
   if (budget.evaluations) add(fmt::format("{} evaluations", *budget.evaluations));
   if (budget.target_gap) add(fmt::format("gap {:g}", *budget.target_gap));
-  return text.empty() ? "none: the study can be evaluated, but not compared" : text;
+  return text.empty() ? "no budget: the study can be evaluated, but not compared" : "each ends after " + text;
 }
 
 void explain_trials(const Study& study, bool each) {
   const std::vector<Trial> trials = all_trials(study);
-  std::cout << fmt::format("{} trials; each ends after {}\n", trials.size(), budget_text(study.budget));
+  std::cout << fmt::format("{} trial{}; {}\n", trials.size(), trials.size() == 1 ? "" : "s", budget_text(study.budget));
   if (study.budget.seconds)
     std::cout << fmt::format("at most {:.0f} s with one job\n",
                              *study.budget.seconds * static_cast<double>(trials.size()));

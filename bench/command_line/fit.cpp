@@ -80,7 +80,12 @@ void write_fitted(const FitArguments& arguments, const std::string& text) {
     std::cout << text << '\n';
     return;
   }
-  replace_file(arguments.out, text + "\n");
+  try {
+    replace_file(arguments.out, text + "\n");
+  } catch (const StoreError& error) {  // a full disk, a pipe that nobody reads: what was fitted is not lost for it
+    std::cout << text << '\n';
+    throw StoreError(fmt::format("{}; the fitted system was written to standard output", error.what()));
+  }
   std::cerr << fmt::format("written: {}\n", arguments.out);
 }
 

@@ -55,14 +55,29 @@ std::string describe_usage_error(const CLI::App& app, const CLI::ParseError& err
   return fmt::format("{}; see nodal {} --help", error.what(), *found);
 }
 
+namespace {
+
+// The number that a text is as a whole; NaN where it is none, or not finite.
+double finite_number(const std::string& text) {
+  char* end = nullptr;
+  const double value = std::strtod(text.c_str(), &end);
+  return !text.empty() && *end == '\0' && std::isfinite(value) ? value : std::nan("");
+}
+
+}  // namespace
+
 CLI::Validator above_zero() {
   const auto check = [](const std::string& text) {
-    char* end = nullptr;
-    const double value = std::strtod(text.c_str(), &end);
-    const bool number = !text.empty() && *end == '\0' && std::isfinite(value);
-    return number && value > 0.0 ? std::string() : fmt::format("'{}' is no number above 0", shown(text));
+    return finite_number(text) > 0.0 ? std::string() : fmt::format("'{}' is no number above 0", shown(text));
   };
   return CLI::Validator(check, "> 0");
+}
+
+CLI::Validator not_below_zero() {
+  const auto check = [](const std::string& text) {
+    return finite_number(text) >= 0.0 ? std::string() : fmt::format("'{}' is no number from 0 on", shown(text));
+  };
+  return CLI::Validator(check, ">= 0");
 }
 
 }  // namespace nodal

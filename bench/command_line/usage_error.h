@@ -15,5 +15,6 @@ namespace nodal {
 
 /// Accepts numbers above 0, in words that people read.
 [[nodiscard]] CLI::Validator above_zero();
+[[nodiscard]] CLI::Validator not_below_zero();
 
 }  // namespace nodal

@@ -182,14 +182,21 @@ std::string describe_reference(const ProblemReport& problem) {
     text = "G at the start " + figure_text(*table.start_quality, kDigits);
     if (table.start_relative_error)
       text += fmt::format(" (relative error {})", figure_text(*table.start_relative_error, kDigits));
-    if (table.start_is_best)
+    if (table.start_is_best && reference.beaten)
+      text += ", not above the G* that was given: every trial has reached each gap at its start";
+    else if (table.start_is_best)
       text += ", the best there is: every trial has reached each gap at its start";
     else if (reference.unimproved)
       text += ", which no trial has improved: gaps, and times to them, say nothing until a better G* is known";
     text += "; ";
   }
   if (reference.provisional) return text + "G* = " + best + ", provisional: " + reference.origin;
-  return text + "G* = " + best + (reference.origin.empty() ? "" : " (" + reference.origin + ")");
+  text += "G* = " + best + (reference.origin.empty() ? "" : " (" + reference.origin + ")");
+  if (reference.beaten)
+    text += fmt::format(", which is not the best known: trials reached {}, so gaps to it say little; leave out "
+                        "'best_known', or give a better one",
+                        figure_text(*reference.beaten, kDigits));
+  return text;
 }
 
 std::vector<std::string> table_legend() {

@@ -69,11 +69,15 @@ bool improved(const TrialRecord* trial) {
 
 ProblemReference reference_of(const std::string& label, const std::optional<KnownOptimum>& known,
                               std::span<const TrialRecord* const> trials) {
-  if (known) return {label, known->quality, known->origin, false, false};
-  ProblemReference reference{label, kNever, "best of these trials", true, false};
+  double best = kNever;
   for (const TrialRecord* trial : trials)
-    if (trial->best && trial->best->summary.quality)
-      reference.best_quality = std::min(reference.best_quality, *trial->best->summary.quality);
+    if (trial->best && trial->best->summary.quality) best = std::min(best, *trial->best->summary.quality);
+  if (known) {
+    ProblemReference reference{label, known->quality, known->origin, false, false};
+    if (best < known->quality - known_to(known->quality)) reference.beaten = best;
+    return reference;
+  }
+  ProblemReference reference{label, best, "best of these trials", true, false};
   if (reference.best_quality == kNever) reference.best_quality = 0.0;
   reference.unimproved = std::ranges::none_of(trials, improved);
   return reference;

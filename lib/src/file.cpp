@@ -148,12 +148,14 @@ void replace_file(const fs::path& path, std::string_view content, Links links) {
 
 std::string replace_refusal(const fs::path& path) {
   std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  if (fs::is_directory(status)) return "it is a folder";
+  // Not by what its links lead to: an open pipe, /dev/fd/63, has no name.
+  if (fs::exists(status) && !fs::is_regular_file(status))
+    return ::access(path.c_str(), W_OK) == 0 ? "" : "it may not be written";
+  error.clear();
   const fs::path target = target_of(path, error);
   if (error) return error.message();
-  const fs::file_status status = fs::status(target, error);
-  if (fs::is_directory(status)) return "it is a folder";
-  if (fs::exists(status) && !fs::is_regular_file(status))
-    return ::access(target.c_str(), W_OK) == 0 ? "" : "it may not be written";
   const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
   if (!fs::is_directory(folder, error)) return fmt::format("there is no folder '{}'", folder.string());
   if (::access(folder.c_str(), W_OK | X_OK) != 0)

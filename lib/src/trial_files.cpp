@@ -74,7 +74,9 @@ void read_line(const std::string& where, std::string_view line, StoredLines& res
   } catch (const InputError& error) {
     const std::string_view what = error.what();
     const bool cut_off = what.find("not valid JSON") != std::string_view::npos;
-    const std::string_view reason = what.substr(what.starts_with(where) ? where.size() + 2 : 0);
+    // After "where: ", or "where:1: " with the line within the record.
+    const std::size_t colon = what.starts_with(where) ? what.find(": ", where.size()) : std::string_view::npos;
+    const std::string_view reason = what.substr(colon == std::string_view::npos ? 0 : colon + 2);
     result.torn.push_back({where, key_in(line), cut_off ? "" : fmt::format(" ({})", shown(reason, kMostOfAReason))});
   }
 }

@@ -227,6 +227,13 @@ TEST(Table, CountsNothingAsReachedWhereNoTrialImprovedOnAProvisionalBest) {
   EXPECT_EQ(improved.rows[0].target(1e-8).success_rate, 1.0);
 }
 
+TEST(Table, SaysThatAGivenQualityIsBeaten) {
+  EXPECT_NEAR(table_from(0.73763, 2.32).reference.beaten.value_or(0.0), 0.73763, 1e-9);
+  EXPECT_EQ(table_from(0.73763, 0.7376).reference.beaten, std::nullopt);  // the same, as people write it down
+  EXPECT_EQ(table_from(0.73756, 0.7376).reference.beaten, std::nullopt);
+  EXPECT_EQ(table_from(0.73763, std::nullopt).reference.beaten, std::nullopt);
+}
+
 TEST(Table, KnowsAQualityOnlyToItsDigits) {
   EXPECT_EQ(table_from(0.73766, 0.7376).rows[0].targets[0].success_rate, 0.0);   // rounds to 0.7377
   EXPECT_EQ(table_from(0.73763, 0.73762).rows[0].targets[0].success_rate, 0.0);  // given with five digits

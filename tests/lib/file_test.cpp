@@ -122,6 +122,15 @@ TEST_F(File, ThatCantBeReplacedIsKnownBefore) {
   EXPECT_EQ(replace_refusal(file), "");
   EXPECT_EQ(replace_refusal("/dev/null"), "");
   EXPECT_EQ(replace_refusal(folder()), "it is a folder");
+  int ends[2];  // an open pipe, as a shell's >(command) gives it: its link leads to no file
+  ASSERT_EQ(::pipe(ends), 0);
+  const std::string pipe = "/dev/fd/" + std::to_string(ends[1]);
+  EXPECT_EQ(replace_refusal(pipe), "");
+  replace_file(pipe, "x");
+  char got = 0;
+  EXPECT_EQ(::read(ends[0], &got, 1), 1);
+  EXPECT_EQ(got, 'x');
+  for (const int end : ends) ::close(end);
   EXPECT_EQ(replace_refusal(folder() / "none" / "f"), "there is no folder '" + (folder() / "none").string() + "'");
   // Links to links: the last one's target is made, wherever it lies.
   fs::create_directory(folder() / "deep");

@@ -49,6 +49,7 @@ struct ProblemReference {
   std::string origin;         ///< who says so
   bool provisional = false;   ///< true when it is merely the best of these trials
   bool unimproved = false;    ///< provisional, and no trial improved its start: gaps to it mean nothing
+  std::optional<double> beaten = {};  ///< by this quality of a trial: a G* that was given is not the best known
 };
 
 struct TargetRow {
@@ -96,8 +97,8 @@ struct RowRequest {
 
 /// True where nothing is left to be found: the start's quality is not above G* by more than G* is known to (1e-9 of it
 /// where it was measured, else half a unit of the last digit it was given with, at most 1e-4 of it), or the start is a
-/// perfect fit, but for rounding. False, but for a perfect fit, where G* is `unimproved`: that nobody found anything
-/// says nothing about the start. There (G − G*)/(G_start − G*) is rounding over rounding.
+/// perfect fit, but for rounding: there (G − G*)/(G_start − G*) is rounding over rounding. False, but for a perfect fit,
+/// where G* is `unimproved`: that nobody found anything says nothing about the start.
 [[nodiscard]] bool starts_at_best(const PointSummary& start, const ProblemReference& reference);
 
 /// Where a trial stood on an axis when it first had quality ≤ the given one; empty: never.

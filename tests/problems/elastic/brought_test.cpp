@@ -246,9 +246,10 @@ TEST_F(Brought, CasesThatDoNotFitAreSaidWithTheirPlace) {
   const std::string held = "supports = [{ edge = \"bottom\" }]\n";
   EXPECT_EQ(
       with(held),
-      "study.toml:9: nothing pulls or moves in load 'pull': give it forces = [{ near = [4, 0], force = [0, -1] }], "
-      "tractions = [{ edge = \"right\", traction = [1, 0] }], or supports that move, as { edge = \"right\", "
+      "study.toml:9: nothing pulls or moves in load 'pull': give it forces, as forces = [{ near = [0, 4], force = [0, -1] }], "
+      "tractions, as tractions = [{ edge = \"right\", traction = [1, 0] }], or supports that move, as { near = [0, 4], "
       "displacement = [0.1, 0] }");
+  EXPECT_EQ(with(held + "forces = [{ near = [0, 4], force = [0, -1] }]\n"), "(nothing was thrown)");  // as advised
   EXPECT_EQ(
       with("forces = [{ force = [1, 0] }]\n"),
       "study.toml:11: say for which nodes: by nodes = [1, 2], box = [x0, y0, x1, y1], edge = \"left\" or near = [x, "

@@ -198,13 +198,18 @@ OwnCase read_case(const Options& table, const Net& net) {
     if (hold.measured) result.held_as_measured.push_back(freedom);
     moved = moved || hold.measured || hold.value != 0.0;
   }
-  if (!moved)
+  if (!moved) {
+    std::size_t free = net.nodes.size() - 1;  // a node that the forces may pull down, so that the advice can be pasted
+    while (free > 0 && held.contains(2 * free + 1)) --free;
+    const std::string node = fmt::format("near = [{}, {}]", net.nodes[free][0], net.nodes[free][1]);
     throw InputError(
         result.source,
-        fmt::format("nothing pulls or moves in load '{}': give it forces = [{{ near = [4, 0], force = [0, -1] }}], "
-                    "tractions = [{{ edge = \"right\", traction = [1, 0] }}], or supports that move, as {{ edge = "
-                    "\"right\", displacement = [0.1, 0] }}",
-                    result.name));
+        fmt::format("nothing pulls or moves in load '{}': give it forces, as forces = [{{ {}, force = [0, -1] }}], {}"
+                    "or supports that move, as {{ {}, displacement = [0.1, 0] }}",
+                    result.name, node,
+                    net.body.has_outline() ? "tractions, as tractions = [{ edge = \"right\", traction = [1, 0] }], " : "",
+                    node));
+  }
   return result;
 }
 

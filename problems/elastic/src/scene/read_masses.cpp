@@ -13,6 +13,8 @@ namespace nodal::elastic {
 
 namespace {
 
+constexpr double kDensity = 1.0;  // [kg/m³]
+
 // Mass of each node's Voronoi region; the regions are kept for pictures.
 std::vector<double> region_masses(double density, Net& net) {
   const Outline outline(net.body);
@@ -37,6 +39,16 @@ Value report(const std::string& form, const Masses& masses) {
   return table;
 }
 
+// A key that the form doesn't use would be said in vain.
+void refuse_foreign_keys(const Options& masses, const std::string& form) {
+  const auto refuse = [&](const char* key, const char* forms) {
+    throw InputError(masses.at(key).source, fmt::format("'{}' in 'masses' belongs to form {}, and this one is '{}'", key,
+                                                        forms, form));
+  };
+  if (form == "none" && masses.number("density") != kDensity) refuse("density", "'least-norm' or 'positive'");
+  if (form != "positive" && masses.number("least_share") != kSmallestMassShare) refuse("least_share", "'positive'");
+}
+
 }  // namespace
 
 OptionSchema masses_fields() {
@@ -49,7 +61,7 @@ OptionSchema masses_fields() {
                "masses may be negative; positive: the masses nearest to those of the Voronoi regions that have the "
                "moments (needs CGAL)"},
       {.name = "density",
-       .default_value = 1.0,
+       .default_value = kDensity,
        .unit = "kg/m³",
        .minimum = 0.0,
        .minimum_excluded = true,
@@ -64,6 +76,7 @@ OptionSchema masses_fields() {
 
 Value read_masses(const Options& masses, Net& net) {
   const std::string& form = masses.text("form");
+  refuse_foreign_keys(masses, form);
   if (form == "none") return {};
   const Source& source = masses.at("form").source;
   if (!net.body.has_outline())
