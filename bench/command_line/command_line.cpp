@@ -80,9 +80,10 @@ void add_budget(CLI::App& command, StudyOverrides& overrides) {
 void add_rerun(CLI::App& command, CompareArguments& to) {
   CLI::Option* rerun =
       command
-          .add_option("--rerun", to.rerun,
-                      "Run stored trials again: of these optimizers (as for --only), those that 'failed', or those that are "
-                      "'contaminated'; the results before stay in their files")
+          .add_option(
+              "--rerun", to.rerun,
+              "Run stored trials again: of these optimizers (as for --only), those that 'failed', or those that are "
+              "'contaminated'; the results before stay in their files")
           ->type_name("LABEL,…");
   command.add_flag("--fresh", to.fresh, "Run every trial of the study again")->excludes(rerun);
 }
@@ -96,9 +97,10 @@ void add_compare(CLI::App& app, const Registry& registry, int& exit) {
   command.add_option("--out", to->out, "Where results are stored (default: results/<name of the study>)")
       ->type_name("DIR");
   command
-      .add_option("--only", to->overrides.only,
-                  "Only the optimizers with these labels, or with a 'use' that one entry has, separated by commas; may be "
-                  "repeated")
+      .add_option(
+          "--only", to->overrides.only,
+          "Only the optimizers with these labels, or with a 'use' that one entry has, separated by commas; may be "
+          "repeated")
       ->type_name("LABEL,…");
   add_rerun(command, *to);
   add_repeats(command, to->overrides);

@@ -25,8 +25,7 @@ void say_left_out(const Study& study) {
   for (const std::string& line : report::left_out_lines(study.left_out)) say("left out", line);
 }
 
-CompareResult run(const Study& study, const Registry& registry, const std::string& directory,
-                  CompareOptions options) {
+CompareResult run(const Study& study, const Registry& registry, const std::string& directory, CompareOptions options) {
   Store store{directory};
   const StopSignal stop;
   Progress progress(::isatty(STDERR_FILENO) == 1);

@@ -67,7 +67,8 @@ TrialRecord run_shown(const Study& study, std::size_t problem, const Registry& r
 }
 
 void say_result(const TrialRecord& record, const Problem& problem, const Registry& registry) {
-  std::cerr << trial_line(record) << '\n';
+  // How long a fit took matters where the clock has ended it.
+  std::cerr << trial_line(record, record.end == End::budget) << '\n';
   if (!record.best) return;
   std::string text = ending_text(record, problem, registry);
   if (record.health.spread) text += fmt::format("; k_max/k_min {:.4g}", *record.health.spread);

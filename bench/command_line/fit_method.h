@@ -30,8 +30,8 @@ struct FitMethod {
 /// InputError when the problem can't give what the method needs, or has no room for its matrix.
 void refuse_what_it_lacks(const Problem& problem, const StudyOptimizer& optimizer, const Registry& registry);
 
-/// "converged", "stopped by its budget, …", "stopped by the method's own limit, …", …: how a fit ended. Limits are those
-/// that methods say (Outcome::limited); converged is what the slope at the best point bears out (slope.h).
+/// "converged", "stopped by its budget, …", "stopped by the method's own limit, …", …: how a fit ended. Limits are
+/// those that methods say (Outcome::limited); converged is what the slope at the best point bears out (slope.h).
 [[nodiscard]] std::string ending_text(const TrialRecord& record, const Problem& problem, const Registry& registry);
 
 }  // namespace nodal

@@ -11,8 +11,8 @@
 
 namespace nodal {
 
-/// Of a study that has been read here, whose problems are built. InputError, and no picture, when a problem's best trial
-/// is of another system than the study's files hold now: its quality is not what its point has.
+/// Of a study that has been read here, whose problems are built. InputError, and no picture, when a problem's best
+/// trial is of another system than the study's files hold now: its quality is not what its point has.
 void add_pictures(const Study& study, report::ReportData& data);
 
 /// Of a study as a store keeps it. It may be anybody's, so its problems are built again in a child process that has 20

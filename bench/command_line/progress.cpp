@@ -28,7 +28,7 @@ void Progress::began(std::size_t total, std::size_t stored) {
   if (on_terminal_)
     draw("", stored, total);
   else
-    std::cerr << fmt::format("running {} trials\n", total - stored);
+    std::cerr << fmt::format("running {} trial{}\n", total - stored, total - stored == 1 ? "" : "s");
 }
 
 void Progress::finished(const TrialRecord& record, std::size_t done, std::size_t total) {
@@ -71,13 +71,13 @@ std::string Progress::time_left(std::size_t done, std::size_t total) const {
                       : fmt::format("{} min {:02} s left", seconds / 60, seconds % 60);
 }
 
-std::string trial_line(const TrialRecord& record) {
+std::string trial_line(const TrialRecord& record, bool times_count) {
   std::string line = fmt::format("{}, repeat {}: ", record.optimizer, record.repeat);
   if (record.best && record.best->summary.relative_error)
     line += fmt::format("relative error {:.4g}, ", *record.best->summary.relative_error);
   else if (record.best && record.best->summary.quality)
     line += fmt::format("quality {:.4g}, ", *record.best->summary.quality);
-  const std::string why = contamination(record);
+  const std::string why = times_count ? contamination(record) : std::string();
   line += fmt::format("{} evaluations, {:.3g} s ({}{}{}){}", record.counts.evaluations, record.seconds.total,
                       to_string(record.end), record.reason.empty() ? "" : ": ", record.reason,
                       why.empty() ? "" : "; contaminated: " + why);

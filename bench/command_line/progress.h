@@ -34,7 +34,8 @@ class Progress {
   std::chrono::steady_clock::time_point began_;
 };
 
-/// "annealing, repeat 3: relative error 0.0174, 20,880 evaluations, 0.31 s (finished)".
-[[nodiscard]] std::string trial_line(const TrialRecord& record);
+/// "annealing, repeat 3: relative error 0.0174, 20,880 evaluations, 0.31 s (finished)", and why its times are not to be
+/// trusted, where they count.
+[[nodiscard]] std::string trial_line(const TrialRecord& record, bool times_count = true);
 
 }  // namespace nodal

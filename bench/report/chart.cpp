@@ -80,8 +80,7 @@ Value chart_value(const ProblemReport& problem, std::span<const Axis> axes) {
   value.set("provisional", reference.provisional);
   // A start at G* has no gap to be measured in.
   const bool has_gaps = !problem.table.start_is_best && !reference.unimproved;
-  if (const auto& start = problem.table.start_quality; start && sane(*start) && has_gaps)
-    value.set("start", *start);
+  if (const auto& start = problem.table.start_quality; start && sane(*start) && has_gaps) value.set("start", *start);
   if (problem.error_per_quality && sane(*problem.error_per_quality))
     value.set("errorPerQuality", *problem.error_per_quality);
   value.set("series", series);

@@ -193,9 +193,10 @@ std::string describe_reference(const ProblemReport& problem) {
   if (reference.provisional) return text + "G* = " + best + ", provisional: " + reference.origin;
   text += "G* = " + best + (reference.origin.empty() ? "" : " (" + reference.origin + ")");
   if (reference.beaten)
-    text += fmt::format(", which is not the best known: trials reached {}, so gaps to it say little; leave out "
-                        "'best_known', or give a better one",
-                        figure_text(*reference.beaten, kDigits));
+    text += fmt::format(
+        ", which is not the best known: trials reached {}, so gaps to it say little; leave out "
+        "'best_known', or give a better one",
+        figure_text(*reference.beaten, kDigits));
   return text;
 }
 

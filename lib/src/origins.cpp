@@ -92,10 +92,10 @@ std::vector<std::string> origin_warnings(const std::string& store, const Value& 
   }
   std::vector<std::string> warnings;
   for (const auto& [id, trials] : builds)
-    warnings.push_back(fmt::format(
-        "'{}' holds results of another build ({}; the {} is {}): {}. Results and times may differ; "
-        "--rerun LABEL or --fresh runs them again",
-        store, names.contains(id) ? names.at(id) : "unknown", whose, name_of(here), trials.text()));
+    warnings.push_back(
+        fmt::format("'{}' holds results of another build ({}; the {} is {}): {}. Results and times may differ; "
+                    "--rerun LABEL or --fresh runs them again",
+                    store, names.contains(id) ? names.at(id) : "unknown", whose, name_of(here), trials.text()));
   for (const auto& [name, trials] : processors)
     warnings.push_back(fmt::format(
         "'{}' holds results of another processor ({}; the {} is {}): {}. Times don't compare, and last digits "

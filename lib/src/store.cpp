@@ -142,8 +142,9 @@ void Store::begin(const Study& study) {
   if (!state.lock) {
     state.lock = std::make_unique<StoreLock>(state.directory);
     if (const std::string why = state.lock->trouble(); !why.empty())
-      state.warnings.push_back(fmt::format("'{}' can't be locked ({}): another comparison that writes here goes unnoticed",
-                                           (state.directory / ".lock").string(), why));
+      state.warnings.push_back(
+          fmt::format("'{}' can't be locked ({}): another comparison that writes here goes unnoticed",
+                      (state.directory / ".lock").string(), why));
   }
   remove_leftovers(state.directory);
   const StoreLock::Alone alone(*state.lock);

@@ -105,9 +105,10 @@ void TrialFile::append(const std::string& line) {
   if (first) make_directory(store_ / kFolder);
   // Only the first line makes the file: should it be gone later, so are its lines, and that must be noticed.
   if (!first && !fs::exists(path))
-    throw StoreError(fmt::format("'{}' was removed while trials ran, and with it what they had stored there; run the "
-                                 "comparison again: it runs what the store lacks",
-                                 path.string()));
+    throw StoreError(
+        fmt::format("'{}' was removed while trials ran, and with it what they had stored there; run the "
+                    "comparison again: it runs what the store lacks",
+                    path.string()));
   FileDescriptor file(path, O_RDWR | O_APPEND | (first ? O_CREAT : 0), 0666, path);
   path_ = path;
   const off_t before = file.size();

@@ -87,7 +87,8 @@ TEST(StartAtTheBest, IsReachedAtOnceByEveryMethod) {
 }
 
 TEST(StartAtTheBest, IsToldFromAStartThatIsGood) {
-  const ProblemReference measured{"p", 0.73762, "", true, false}, given{"p", 0.7376, "as a page prints it", false, false};
+  const ProblemReference measured{"p", 0.73762, "", true, false},
+      given{"p", 0.7376, "as a page prints it", false, false};
   EXPECT_TRUE(starts_at_best({{}, 0.73762, {}}, measured));
   EXPECT_TRUE(starts_at_best({{}, 0.7, {}}, measured));
   EXPECT_TRUE(starts_at_best({{}, 0.73762 * (1.0 + 5e-10), {}}, measured));

@@ -217,7 +217,7 @@ TEST(Table, CountsNothingAsReachedWhereNoTrialImprovedOnAProvisionalBest) {
       EXPECT_EQ(target.reached, 0u);
       EXPECT_FALSE(target.median[0].has_value());
     }
-  EXPECT_FALSE(table_from(0.73763, 0.7).reference.unimproved);  // given: something is known
+  EXPECT_FALSE(table_from(0.73763, 0.7).reference.unimproved);            // given: something is known
   expect_reached_at_the_start(table_from(2.8e-17, std::nullopt, 1e-34));  // a perfect fit is the best there is
   // One trial that found something gives it a meaning, also for one that began there.
   std::vector<TrialRecord> records = {trial("a", 0, {{7, 1.0}}), trial("a", 1, {})};

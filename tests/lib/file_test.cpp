@@ -142,8 +142,9 @@ TEST_F(File, ThatCantBeReplacedIsKnownBefore) {
   EXPECT_TRUE(fs::is_symlink(folder() / "deep" / "link"));
   fs::create_symlink("loop", loop);
   EXPECT_EQ(replace_refusal(loop), "Too many levels of symbolic links");
-  EXPECT_TRUE(message_of<StoreError>([&] { replace_file(loop, "x"); })
-                  .starts_with("cannot write '" + loop.string() + "': Too many levels of symbolic links"));
+  EXPECT_TRUE(message_of<StoreError>([&] {
+                replace_file(loop, "x");
+              }).starts_with("cannot write '" + loop.string() + "': Too many levels of symbolic links"));
   fs::create_symlink("gone/f", folder() / "lost");
   EXPECT_EQ(replace_refusal(folder() / "lost"), "there is no folder '" + (folder() / "gone").string() + "'");
 }

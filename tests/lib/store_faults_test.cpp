@@ -88,8 +88,9 @@ TEST(Store, DropsGarbledLinesAndKeepsTheOthers) {
   EXPECT_EQ(keys_of(store), (Keys{"a", "b"}));
   const std::string dropped = ": a line that is no whole record was dropped; its trial counts as not run";
   EXPECT_EQ(store.warnings(),
-            (Keys{file.string() + ":2: a line that is no whole record was dropped (not a trial's record: 'key' is missing); its "
-                                  "trial counts as not run",
+            (Keys{file.string() +
+                      ":2: a line that is no whole record was dropped (not a trial's record: 'key' is missing); its "
+                      "trial counts as not run",
                   file.string() + ":4" + dropped, file.string() + ":6" + dropped}));
 }
 

@@ -346,10 +346,10 @@ TEST(Study, SaysWhatAsksForMoreMemoryThanThereIs) {
 
 TEST(Study, SaysWhichProblemThrewWhenItWasMade) {
   Registry throwing;
-  throwing.add(ProblemDescription{
-      .kind = "own", .make = [](const Options&, const ProblemContext&) -> std::shared_ptr<const Problem> {
-        throw std::out_of_range("vector::at");
-      }});
+  throwing.add(ProblemDescription{.kind = "own",
+                                  .make = [](const Options&, const ProblemContext&) -> std::shared_ptr<const Problem> {
+                                    throw std::out_of_range("vector::at");
+                                  }});
   throwing.add(ProblemDescription{
       .kind = "odd", .make = [](const Options&, const ProblemContext&) -> std::shared_ptr<const Problem> { throw 7; }});
   const auto said = [&](const std::string& text) {

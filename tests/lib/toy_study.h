@@ -171,8 +171,8 @@ inline Registry registry() {
   add_misbehaving(registry, "leaving", [] { std::_Exit(3); });
   add_misbehaving(registry, "throwing", [] { throw std::runtime_error("lost its way"); });
   add_misbehaving(registry, "throwing-a-number", [] { throw 42; });
-  registry.add(OptimizerDescription{
-      .name = "unmade", .make = [](const Options&) -> std::unique_ptr<Optimizer> { throw 42; }});
+  registry.add(
+      OptimizerDescription{.name = "unmade", .make = [](const Options&) -> std::unique_ptr<Optimizer> { throw 42; }});
   add_misbehaving(registry, "latin", [] { throw std::runtime_error("caf\xE9 ferm\xE9"); });
   registry.add(
       OptimizerDescription{.name = "talkative", .make = [](const Options&) { return std::make_unique<Talkative>(); }});

@@ -329,9 +329,8 @@ TEST(Trial, WhoseQualityThrowsFailsWithTheReason) {
 }
 
 TEST(Trial, KeepsTheBeginningOfALongReason) {
-  const TrialRecord record = run_mischief({.cost = [](std::span<const double>) -> double {
-    throw std::runtime_error("a" + std::string(3'000'000, 'x'));
-  }});
+  const TrialRecord record = run_mischief(
+      {.cost = [](std::span<const double>) -> double { throw std::runtime_error("a" + std::string(3'000'000, 'x')); }});
   EXPECT_EQ(record.reason, "a" + std::string(1999, 'x') + "…");
   const Study study = toy_study();
   EXPECT_EQ(lost_trial(study, {0, 0, 0}, End::crashed, std::string(5000, 'y')).reason, std::string(2000, 'y') + "…");
@@ -352,7 +351,8 @@ TEST(Trial, SaysWhenALimitOfTheMethodEndedIt) {
     EXPECT_EQ(record.end, End::finished);
     EXPECT_EQ(record.limited, limited);
     EXPECT_EQ(parse_record(to_json_line(record), "line").limited, limited);
-    EXPECT_EQ(to_json_line(record).find("limited\":true") != std::string::npos, limited);  // else as older builds write it
+    EXPECT_EQ(to_json_line(record).find("limited\":true") != std::string::npos,
+              limited);  // else as older builds write it
   }
 }
 

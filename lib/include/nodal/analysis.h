@@ -97,8 +97,8 @@ struct RowRequest {
 
 /// True where nothing is left to be found: the start's quality is not above G* by more than G* is known to (1e-9 of it
 /// where it was measured, else half a unit of the last digit it was given with, at most 1e-4 of it), or the start is a
-/// perfect fit, but for rounding: there (G − G*)/(G_start − G*) is rounding over rounding. False, but for a perfect fit,
-/// where G* is `unimproved`: that nobody found anything says nothing about the start.
+/// perfect fit, but for rounding: there (G − G*)/(G_start − G*) is rounding over rounding. False, but for a perfect
+/// fit, where G* is `unimproved`: that nobody found anything says nothing about the start.
 [[nodiscard]] bool starts_at_best(const PointSummary& start, const ProblemReference& reference);
 
 /// Where a trial stood on an axis when it first had quality ≤ the given one; empty: never.

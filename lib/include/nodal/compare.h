@@ -50,7 +50,8 @@ struct CompareResult {
 /// word in `rerun` that means nothing. To be asked before a store is made.
 void require_comparable(const Study& study, const CompareOptions& options = {});
 
-/// Requires a comparable study before anything is written. StoreError when a result can't be stored; what runs is killed.
+/// Requires a comparable study before anything is written. StoreError when a result can't be stored; what runs is
+/// killed.
 ///
 /// A trial whose process was stopped and continued is run again, three times at most; a comparison of another process
 /// that writes to the same store is warned of, and noted in the records.

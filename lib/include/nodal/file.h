@@ -36,8 +36,8 @@ enum class Links { follow, replace };
 /// '<path>': <why>"; then what was there before still is.
 void replace_file(const std::filesystem::path& path, std::string_view content, Links links = Links::follow);
 
-/// Why replace_file could not write there now: a folder, a folder that is not there or may not be written, a device that
-/// may not. Empty when it can. Nothing is opened, made or changed: devices and FIFOs would wait.
+/// Why replace_file could not write there now: a folder, a folder that is not there or may not be written, a device
+/// that may not. Empty when it can. Nothing is opened, made or changed: devices and FIFOs would wait.
 [[nodiscard]] std::string replace_refusal(const std::filesystem::path& path);
 
 /// Writes all of a text to a descriptor, waiting where that is non-blocking. 0, or the errno of what went wrong.

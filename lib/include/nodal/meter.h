@@ -130,8 +130,8 @@ class Meter {
   // ── for the harness ───────────────────────────────────────────────────────────────────────────────────────────────
 
   [[nodiscard]] Evaluation start() const noexcept { return start_; }
-  /// Stops as soon as the best quality is ≤ this; at once when it is already. Throws what the problem's quality threw of
-  /// the start.
+  /// Stops as soon as the best quality is ≤ this; at once when it is already. Throws what the problem's quality threw
+  /// of the start.
   void set_target(double quality);
   [[nodiscard]] bool has_best() const noexcept { return best_evaluation_ >= 0; }
   [[nodiscard]] double best_cost() const noexcept { return best_cost_; }

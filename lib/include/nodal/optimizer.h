@@ -36,7 +36,8 @@ struct Outcome {
   Value effective_options;  ///< options as the run really used them, derived defaults and read-backs included
 };
 
-/// How a method ends that goes nowhere without its start, and couldn't evaluate it: failed, unless the budget was spent.
+/// How a method ends that goes nowhere without its start, and couldn't evaluate it: failed, unless the budget was
+/// spent.
 [[nodiscard]] Outcome without_start(Status status);
 
 class Optimizer {

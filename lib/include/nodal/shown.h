@@ -29,8 +29,8 @@ enum class Breaks { escape, keep };
 /// How many bytes of a text a message quotes.
 inline constexpr std::size_t kMostShown = 60;
 
-/// A user's text as messages quote it: at most `most` bytes, whole characters, with "…" where it goes on. Printable, but
-/// for bytes that are no UTF-8, which are told: "\xFF".
+/// A user's text as messages quote it: at most `most` bytes, whole characters, with "…" where it goes on. Printable,
+/// but for bytes that are no UTF-8, which are told: "\xFF".
 [[nodiscard]] std::string shown(std::string_view text, std::size_t most = kMostShown);
 
 /// The text itself, or its beginning where it has more than `most` bytes: whole characters and "…".

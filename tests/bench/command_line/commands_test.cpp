@@ -52,7 +52,7 @@ TEST(Compare, RunsOnlyWhatIsMissing) {
   EXPECT_TRUE(again.err.starts_with("4 of 4 trials are stored already\n")) << again.err;
   EXPECT_EQ(count_lines(folder.path() / "store" / "trials"), 4u);
   const Output more = run(folder, {"compare", "quick.toml", "--out", "store", "--repeats", "3", "--only", "annealing"});
-  EXPECT_TRUE(more.err.starts_with("2 of 3 trials are stored already\nrunning 1 trials\n")) << more.err;
+  EXPECT_TRUE(more.err.starts_with("2 of 3 trials are stored already\nrunning 1 trial\n")) << more.err;
   EXPECT_EQ(count_lines(folder.path() / "store" / "trials"), 5u);
 }
 

@@ -64,7 +64,8 @@ TEST(Killed, ComparisonGoesOnFromWhatIsWhole) {
   }
   const Output again = run(folder, {"compare", "slow.toml"});
   EXPECT_EQ(again.exit, 0) << again.err;
-  EXPECT_NE(again.err.find("a line that is no whole record was dropped; its trial counts as not run"), std::string::npos)
+  EXPECT_NE(again.err.find("a line that is no whole record was dropped; its trial counts as not run"),
+            std::string::npos)
       << again.err;
   const Store store = Store::open_existing(folder.path() / "results" / "slow");
   EXPECT_EQ(store.records().size(), 6u);

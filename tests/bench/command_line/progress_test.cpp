@@ -67,6 +67,7 @@ TEST(Progress, SaysWhichTimesAreNotToBeTrusted) {
   record.seconds.cpu = 0.155;
   EXPECT_TRUE(trial_line(record).ends_with("(finished: 144 temperatures done); contaminated: got 0.50 of a core"))
       << trial_line(record);
+  EXPECT_TRUE(trial_line(record, false).ends_with("(finished: 144 temperatures done)")) << trial_line(record, false);
 }
 
 }  // namespace

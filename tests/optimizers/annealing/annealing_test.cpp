@@ -91,7 +91,8 @@ TEST(Annealing, FailsWhereTheStartCantBeEvaluated) {
   const toy::ToyProblem broken(3, [](std::span<const double>) { return std::nan(""); });
   const Annealed run = anneal(broken, {});
   EXPECT_TRUE(run.outcome.failed);
-  EXPECT_EQ(run.outcome.reason, "the start can't be evaluated: a coordinate or the cost is no finite number (invalid_input)");
+  EXPECT_EQ(run.outcome.reason,
+            "the start can't be evaluated: a coordinate or the cost is no finite number (invalid_input)");
 }
 
 }  // namespace

@@ -236,6 +236,28 @@ TEST_F(Brought, WhatIsWrongIsSaidWithItsPlace) {
   EXPECT_EQ(refusal(kFiles), "springs.csv:2: the stiffness is -2; it must be a number > 0");
 }
 
+// Tied springs can't start as a file has them that tells them apart.
+TEST_F(Brought, StiffnessesThatTiesChangeAreTold) {
+  write("nodes.csv", "x,y\n0,0\n4,0\n4,4\n0,4\n");
+  write("springs.csv", "first,second,stiffness\n0,1,1\n1,2,4\n2,3,2\n3,0,2\n0,2,2\n");
+  write("displacements.csv", "node,ux,uy\n2,1,1\n");
+  const auto findings = [&](const std::string& parameters) {
+    return read(
+               "body = { size = [4, 4] }\npoints = { file = \"nodes.csv\" }\nsprings = { file = \"springs.csv\", "
+               "parameters = \"" +
+               parameters +
+               "\" }\nreference = { file = \"displacements.csv\" }\n[[problem.loads.cases]]\nname = \"pull\"\n"
+               "supports = [{ edge = \"bottom\" }]\nforces = [{ near = [0, 4], force = [0, -1] }]\n")
+        ->scene()
+        .findings;
+  };
+  EXPECT_EQ(findings("each"), std::vector<std::string>{});
+  EXPECT_EQ(
+      findings("uniform"),
+      std::vector<std::string>{"2 of 5 springs start with another stiffness than the file gives them: tied springs "
+                               "have the geometric mean of their group"});
+}
+
 TEST_F(Brought, CasesThatDoNotFitAreSaidWithTheirPlace) {
   write("nodes.csv", "x,y\n0,0\n4,0\n4,4\n0,4\n");
   write("springs.csv", "first,second\n0,1\n1,2\n2,3\n3,0\n0,2\n");
@@ -246,7 +268,8 @@ TEST_F(Brought, CasesThatDoNotFitAreSaidWithTheirPlace) {
   const std::string held = "supports = [{ edge = \"bottom\" }]\n";
   EXPECT_EQ(
       with(held),
-      "study.toml:9: nothing pulls or moves in load 'pull': give it forces, as forces = [{ near = [0, 4], force = [0, -1] }], "
+      "study.toml:9: nothing pulls or moves in load 'pull': give it forces, as forces = [{ near = [0, 4], force = [0, "
+      "-1] }], "
       "tractions, as tractions = [{ edge = \"right\", traction = [1, 0] }], or supports that move, as { near = [0, 4], "
       "displacement = [0.1, 0] }");
   EXPECT_EQ(with(held + "forces = [{ near = [0, 4], force = [0, -1] }]\n"), "(nothing was thrown)");  // as advised

@@ -243,12 +243,15 @@ TEST(IteratedVoronoi, KeepsItsDigitsFarFromTheOrigin) {
 class BodyFromElsewhere : public StudyFiles {
  protected:
   static std::string filled(const std::string& file, const std::string& initial) {
-    return "body = { file = \"" + file + "\" }\npoints = { layout = \"voronoi\", total = 40 }\nsprings = { topology = "
-           "\"delaunay\", initial = \"" + initial + "\" }\nloads = { supports = \"minimal\" }\n";
+    return "body = { file = \"" + file +
+           "\" }\npoints = { layout = \"voronoi\", total = 40 }\nsprings = { topology = "
+           "\"delaunay\", initial = \"" +
+           initial + "\" }\nloads = { supports = \"minimal\" }\n";
   }
 };
 
-// A building with two courtyards, in degrees: of its two local minima the one that a fit from the paper's start ends in.
+// A building with two courtyards, in degrees: of its two local minima the one that a fit from the paper's start ends
+// in.
 TEST_F(BodyFromElsewhere, WithCourtyardsIsFitted) {
   write("courtyards.geojson",
         R"({"type":"FeatureCollection","features":[{"type":"Feature","properties":{},"geometry":{"type":"Polygon",
@@ -256,9 +259,11 @@ TEST_F(BodyFromElsewhere, WithCourtyardsIsFitted) {
 [13.376614,52.507696],[13.378061,52.507667],[13.378842,52.508005]],[[13.377077,52.50841],[13.377318,52.508603],
 [13.377665,52.508564],[13.377636,52.508198],[13.377067,52.508217],[13.377077,52.50841]],[[13.377897,52.508121],
 [13.378206,52.50841],[13.378476,52.508092],[13.378177,52.507841],[13.377579,52.507754],[13.377897,52.508121]]]}}]})");
-  const Study study = parse_study("[budget]\nevaluations = 1000\n[[optimizer]]\nuse = \"gauss-newton\"\n[problem]\nkind = "
-                                  "\"elastic\"\n" + filled("courtyards.geojson", "paper"),
-                                  directory_.path() / "study.toml", components());
+  const Study study = parse_study(
+      "[budget]\nevaluations = 1000\n[[optimizer]]\nuse = \"gauss-newton\"\n[problem]\nkind = "
+      "\"elastic\"\n" +
+          filled("courtyards.geojson", "paper"),
+      directory_.path() / "study.toml", components());
   const TrialRecord record = run_trial(study, {0, 0, 0}, components());
   EXPECT_EQ(record.end, End::finished) << record.reason;
   ASSERT_TRUE(record.best.has_value());
@@ -267,11 +272,10 @@ TEST_F(BodyFromElsewhere, WithCourtyardsIsFitted) {
 
 // However other programs write this rectangle, it is the same body to ten digits.
 TEST_F(BodyFromElsewhere, IsTheSameHoweverItIsWritten) {
-  for (const char* text :
-       {"POLYGON ((0 0,4 0,4 3,0 3,0 0))", "MULTIPOLYGON (((0 0,4 0,4 3,0 3,0 0)))",
-        "SRID=4326;POLYGON((0 0,4 0,4 3,0 3,0 0))", "POLYGON Z ((0 0 0,4 0 0,4 3 0,0 3 0,0 0 0))",
-        "POLYGON((0 0 0,4 0 0,4 3 0,0 3 0,0 0 0))", "POLYGONZ((0 0 0,4 0 0,4 3 0,0 3 0,0 0 0))",
-        "POLYGON((0 0,4e0 0.0E+00,4E+0 3.e0,.0 3,0 0))"}) {
+  for (const char* text : {"POLYGON ((0 0,4 0,4 3,0 3,0 0))", "MULTIPOLYGON (((0 0,4 0,4 3,0 3,0 0)))",
+                           "SRID=4326;POLYGON((0 0,4 0,4 3,0 3,0 0))", "POLYGON Z ((0 0 0,4 0 0,4 3 0,0 3 0,0 0 0))",
+                           "POLYGON((0 0 0,4 0 0,4 3 0,0 3 0,0 0 0))", "POLYGONZ((0 0 0,4 0 0,4 3 0,0 3 0,0 0 0))",
+                           "POLYGON((0 0,4e0 0.0E+00,4E+0 3.e0,.0 3,0 0))"}) {
     write("rectangle.wkt", text);
     ASSERT_EQ(refusal(filled("rectangle.wkt", "area")), "(nothing was thrown)") << text;
     EXPECT_NEAR(start_quality(*read(filled("rectangle.wkt", "area"))), 25.08456301, 5e-9) << text;

@@ -204,11 +204,12 @@ OwnCase read_case(const Options& table, const Net& net) {
     const std::string node = fmt::format("near = [{}, {}]", net.nodes[free][0], net.nodes[free][1]);
     throw InputError(
         result.source,
-        fmt::format("nothing pulls or moves in load '{}': give it forces, as forces = [{{ {}, force = [0, -1] }}], {}"
-                    "or supports that move, as {{ {}, displacement = [0.1, 0] }}",
-                    result.name, node,
-                    net.body.has_outline() ? "tractions, as tractions = [{ edge = \"right\", traction = [1, 0] }], " : "",
-                    node));
+        fmt::format(
+            "nothing pulls or moves in load '{}': give it forces, as forces = [{{ {}, force = [0, -1] }}], {}"
+            "or supports that move, as {{ {}, displacement = [0.1, 0] }}",
+            result.name, node,
+            net.body.has_outline() ? "tractions, as tractions = [{ edge = \"right\", traction = [1, 0] }], " : "",
+            node));
   }
   return result;
 }

@@ -42,8 +42,8 @@ Value report(const std::string& form, const Masses& masses) {
 // A key that the form doesn't use would be said in vain.
 void refuse_foreign_keys(const Options& masses, const std::string& form) {
   const auto refuse = [&](const char* key, const char* forms) {
-    throw InputError(masses.at(key).source, fmt::format("'{}' in 'masses' belongs to form {}, and this one is '{}'", key,
-                                                        forms, form));
+    throw InputError(masses.at(key).source,
+                     fmt::format("'{}' in 'masses' belongs to form {}, and this one is '{}'", key, forms, form));
   };
   if (form == "none" && masses.number("density") != kDensity) refuse("density", "'least-norm' or 'positive'");
   if (form != "positive" && masses.number("least_share") != kSmallestMassShare) refuse("least_share", "'positive'");

@@ -62,12 +62,12 @@ std::string why(const Net& net, bool rigid) {
     // above or below it where there is none.
     const Box box = bounding_box(net.nodes);
     const std::size_t across = box.width() > kPlaceRounding * box.size() ? 0 : 1;
-    const auto far = std::ranges::max_element(net.nodes, {}, [&](const Point& node) {
-      return std::abs(node[across] - net.nodes.front()[across]);
-    });
-    return fmt::format("the supports don't hold a rigid body: hold three displacements at least, as supports = [{{ nodes = "
-                       "[{}] }}, {{ nodes = [{}], fix = \"{}\" }}] does",
-                       net.id(0), net.id(static_cast<std::size_t>(far - net.nodes.begin())), across == 0 ? "y" : "x");
+    const auto far = std::ranges::max_element(
+        net.nodes, {}, [&](const Point& node) { return std::abs(node[across] - net.nodes.front()[across]); });
+    return fmt::format(
+        "the supports don't hold a rigid body: hold three displacements at least, as supports = [{{ nodes = "
+        "[{}] }}, {{ nodes = [{}], fix = \"{}\" }}] does",
+        net.id(0), net.id(static_cast<std::size_t>(far - net.nodes.begin())), across == 0 ? "y" : "x");
   }
   std::vector<bool> joined(net.nodes.size(), false);
   for (const Spring& s : net.springs) joined[s.first] = joined[s.second] = true;

@@ -134,6 +134,22 @@ void read_start(const Options& springs, const ProblemContext& context, const std
   if (table.has("scale")) scale_best(table.at("scale").source, scene);
 }
 
+// Stiffnesses of a file, where springs are tied that it has different ones for.
+void tell_of_ties(Scene& scene) {
+  constexpr double kEqual = 1e-9;  // as files that are written with ten digits have them
+  const Parameters parameters(scene.net, scene.parameter_rule);
+  std::vector<double> tied = scene.initial_stiffness;
+  parameters.average(tied);
+  std::size_t changed = 0;
+  for (std::size_t e = 0; e < tied.size(); ++e)
+    if (std::abs(tied[e] - scene.initial_stiffness[e]) > kEqual * tied[e]) ++changed;
+  if (changed > 0)
+    scene.findings.push_back(
+        fmt::format("{} of {} springs start with another stiffness than the file gives them: tied springs have the "
+                    "geometric mean of their group",
+                    changed, tied.size()));
+}
+
 MovesOptions read_moves(const Options& options, const Scene& scene) {
   const MovesOptions moves{options.text("form"), options.text("instructions")};
   const bool listed = moves.form == "eager" || moves.form == "updown";
@@ -248,6 +264,9 @@ Scene make_scene(const Options& options, const ProblemContext& context) {
   BestPaperStart paper;
   read_bounds(springs, context, study, paper, scene);
   read_start(springs, context, study.stiffness, paper, scene);
+  const bool of_file = springs.has("initial") ? springs.at("initial").is_table() && springs.at("initial").find("file")
+                                              : !study.stiffness.empty();
+  if (of_file) tell_of_ties(scene);
   scene.files_hash = hash_files(options, context);
   return scene;
 }

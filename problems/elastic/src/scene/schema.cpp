@@ -44,26 +44,44 @@ OptionSchema initial_fields() {
 
 OptionSchema springs_fields() {
   return {
-      {.name = "file", .type = OptionType::text,
-       .help = "springs of your own: CSV with columns first, second (the nodes) and if you like stiffness, group; or a system file"},
+      {.name = "file",
+       .type = OptionType::text,
+       .help = "springs of your own: CSV with columns first, second (the nodes) and if you like stiffness, group; or a "
+               "system file"},
       columns_option({"first", "second", "stiffness", "length", "group"}),
-      {.name = "topology", .type = OptionType::text,
+      {.name = "topology",
+       .type = OptionType::text,
        .default_text = "crossed on a grid, triangular on a triangular one, else delaunay",
-       .help = "single, alternating or crossed for grids (grid, without diagonals, is refused as a mechanism), triangular; for any "
+       .help = "single, alternating or crossed for grids (grid, without diagonals, is refused as a mechanism), "
+               "triangular; for any "
                "points delaunay, delaunay-flip, voronoi-neighbours (all three need CGAL), nearest"},
-      {.name = "nearest", .type = OptionType::integer, .default_text = "6", .minimum = 1, .maximum = 1000,
+      {.name = "nearest",
+       .type = OptionType::integer,
+       .default_text = "6",
+       .minimum = 1,
+       .maximum = 1000,
        .help = "of topology nearest: with how many of its nearest nodes each is joined"},
       parameters_option(),
-      {.name = "initial", .type = OptionType::text,
-       .default_text = "a file of springs' stiffnesses; else paper, off the paper's own plate (cells of 1 m × 1 m) times its best factor", .choices = {"paper", "area", "lattice", "energy"},
-       .help = "rule of the start: paper k = E t s0/4; area (Van Gelder); lattice, exact at ν = 1/3; energy, the minimiser "
-               "of a convex energy; or a table with 'rule' and 'scale', or with 'file'",
-       .fields = initial_fields(), .or_table = true},
-      {.name = "bounds", .type = OptionType::number_list,
-       .default_text = fmt::format("[{}, {}]; with a file of springs those of the file, or that times the geometric mean "
-                                   "of its stiffnesses, or of the start at its best factor [N/m]",
-                                   kDefaultBounds[0], kDefaultBounds[1]),
-       .unit = "young × thickness", .minimum = 0.0, .minimum_excluded = true, .length = 2,
+      {.name = "initial",
+       .type = OptionType::text,
+       .default_text = "a file of springs' stiffnesses; else paper, off the paper's own plate (cells of 1 m × 1 m) "
+                       "times its best factor",
+       .choices = {"paper", "area", "lattice", "energy"},
+       .help =
+           "rule of the start: paper k = E t s0/4; area (Van Gelder); lattice, exact at ν = 1/3; energy, the minimiser "
+           "of a convex energy; or a table with 'rule' and 'scale', or with 'file'",
+       .fields = initial_fields(),
+       .or_table = true},
+      {.name = "bounds",
+       .type = OptionType::number_list,
+       .default_text =
+           fmt::format("[{}, {}]; with a file of springs those of the file, or that times the geometric mean "
+                       "of its stiffnesses, or of the start at its best factor [N/m]",
+                       kDefaultBounds[0], kDefaultBounds[1]),
+       .unit = "young × thickness",
+       .minimum = 0.0,
+       .minimum_excluded = true,
+       .length = 2,
        .help = "lowest and highest stiffness of a spring"},
   };
 }
