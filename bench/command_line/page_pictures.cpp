@@ -107,8 +107,8 @@ void refuse_another_system(const elastic::ElasticProblem& problem, const std::st
   if (best.x.size() != problem.space().size())
     refuse(fmt::format("{} coordinates, not {}", best.x.size(), problem.space().size()));
   const elastic::State state = problem.solve(problem.stiffness(best.x));
-  const double seen = best.quality / problem.quality(0.5),
-               error = state.relative_error;  // a cost of 1/2 is an error of 1
+  const double seen = best.quality / problem.quality(0.5);  // as an error: a cost of 1/2 is one of 1
+  const double error = state.relative_error;
   if (state.status != Status::ok || !(std::abs(seen - error) <= kLargestContradiction * error + kRaceAccuracy))
     refuse(fmt::format("G was {:.6g} at its best point and is {:.6g}", best.quality, state.quality));
 }
