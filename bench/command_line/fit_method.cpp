@@ -111,9 +111,10 @@ std::string ending_text(const TrialRecord& record, const Problem& problem, const
   // Methods end by criteria of their own, which bounds or bad scales can meet anywhere.
   const std::optional<double> slope = promised_share(problem, record.best->x);
   if (slope && *slope > kSlopeOfAMinimum)
-    return fmt::format("stopped by the method, not converged: a step of 0.1 % of the box promises {:.2g} % of the cost; "
-                       "fit again from the export, or by another method (--with)",
-                       100.0 * *slope);
+    return fmt::format(
+        "stopped by the method, not converged: a step of 0.1 % of the box promises {:.2g} % of the cost; "
+        "fit again from the export, or by another method (--with)",
+        100.0 * *slope);
   return "converged";
 }
 

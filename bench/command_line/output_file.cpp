@@ -42,7 +42,8 @@ void refuse_no_system(const std::string& option, const std::string& path) {
 }
 
 bool is_standard_output(const std::string& path) {
-  struct stat named {}, out {};
+  struct stat named = {};
+  struct stat out = {};
   return ::stat(path.c_str(), &named) == 0 && ::fstat(STDOUT_FILENO, &out) == 0 && named.st_dev == out.st_dev &&
          named.st_ino == out.st_ino;
 }

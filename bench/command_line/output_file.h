@@ -16,8 +16,8 @@ void refuse_no_picture(const std::string& option, const std::string& path);
 /// format from it. What lies in /dev or is no regular file may have any name.
 void refuse_no_system(const std::string& option, const std::string& path);
 
-/// True for every name of where standard output goes: /dev/stdout, /dev/fd/1, the file that a shell has sent it into. What
-/// is replaced there would be lost to whoever writes there, too.
+/// True for every name of where standard output goes: /dev/stdout, /dev/fd/1, the file that a shell has sent it into.
+/// What is replaced there would be lost to whoever writes there, too.
 [[nodiscard]] bool is_standard_output(const std::string& path);
 
 }  // namespace nodal

@@ -17,8 +17,8 @@ namespace nodal {
 /// Shapes   x: [coordinates].   Cost  one value and gradient of an evaluator of its own.
 [[nodiscard]] std::optional<double> promised_share(const Problem& problem, std::span<const double> x);
 
-/// Above this a point is no minimum: a tenth of a per mille for a step that small. Methods that have converged on elastic
-/// plates leave 1e-6 and less, those that were stopped by their bounds 1e-2.
+/// Above this a point is no minimum: a tenth of a per mille for a step that small. Methods that have converged on
+/// elastic plates leave 1e-6 and less, those that were stopped by their bounds 1e-2.
 inline constexpr double kSlopeOfAMinimum = 1e-4;
 
 }  // namespace nodal

@@ -17,8 +17,8 @@ namespace {
 cholmod_sparse* assembled(const elastic::EquilibriumGroup& group, const elastic::Scene& scene,
                           std::span<const double> stiffness, cholmod_common* common) {
   const bool lower = group.pattern().supernodal();
-  cholmod_triplet* terms = cholmod_allocate_triplet(group.free(), group.free(), 10 * stiffness.size(), lower ? -1 : 1,
-                                                    CHOLMOD_REAL, common);
+  cholmod_triplet* terms =
+      cholmod_allocate_triplet(group.free(), group.free(), 10 * stiffness.size(), lower ? -1 : 1, CHOLMOD_REAL, common);
   const auto add = [&](std::size_t a, std::size_t b, double value) {
     if (a >= group.free() || b >= group.free() || value == 0.0) return;
     static_cast<int*>(terms->i)[terms->nnz] = static_cast<int>(lower ? std::max(a, b) : std::min(a, b));

@@ -56,10 +56,11 @@ std::shared_ptr<const elastic::ElasticProblem> make_plate(std::size_t nodes, con
   const auto side = static_cast<std::size_t>(std::lround(std::sqrt(static_cast<double>(nodes))));
   if (side * side != nodes) throw std::invalid_argument("make_plate: the number of nodes must be a square");
   const std::string text = fmt::format(
-      "[study]\nname = \"plate\"\n[problem]\nkind = \"elastic\"\n"
-      "body = {{ shape = \"rectangle\", size = [4.0, 4.0], thickness = 1.0 }}\n"
-      "points = {{ layout = \"grid\", counts = [{0}, {0}] }}\n",
-      side) + options;
+                               "[study]\nname = \"plate\"\n[problem]\nkind = \"elastic\"\n"
+                               "body = {{ shape = \"rectangle\", size = [4.0, 4.0], thickness = 1.0 }}\n"
+                               "points = {{ layout = \"grid\", counts = [{0}, {0}] }}\n",
+                               side) +
+                           options;
   return std::dynamic_pointer_cast<const elastic::ElasticProblem>(
       parse_study(text, "plate.toml", components()).problems.at(0).problem);
 }

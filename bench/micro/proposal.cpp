@@ -23,8 +23,9 @@ void proposal(benchmark::State& state) {
   }
   for (auto _ : state)
     for (const auto& [coordinate, value] : changes) benchmark::DoNotOptimize(moves.propose(coordinate, value));
-  state.counters["ns"] = benchmark::Counter(1e-9 * static_cast<double>(kProposals),
-                                            benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+  state.counters["ns"] =
+      benchmark::Counter(1e-9 * static_cast<double>(kProposals),
+                         benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 BENCHMARK(proposal)->ArgName("nodes")->Arg(25)->Unit(benchmark::kMicrosecond);
 

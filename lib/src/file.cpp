@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr mode_t kOrdinaryMode = 0666;  // less what the umask takes
+constexpr mode_t kOrdinaryMode = 0666;     // less what the umask takes
 constexpr std::size_t kMostOfAPath = 300;  // in a message; names can be megabytes long
 
 class Reading {
@@ -122,7 +122,8 @@ void replace_where_it_stands(const fs::path& path, std::string_view content) {
   const bool there = ::lstat(path.c_str(), &status) == 0;
   if (there && !S_ISREG(status.st_mode) && !S_ISLNK(status.st_mode))
     throw StoreError(fmt::format("cannot write '{}': it is no regular file; remove it", path.string()));
-  write_beside_and_rename(path, path, there && S_ISREG(status.st_mode) ? status.st_mode & 07777 : kOrdinaryMode, content);
+  write_beside_and_rename(path, path, there && S_ISREG(status.st_mode) ? status.st_mode & 07777 : kOrdinaryMode,
+                          content);
 }
 
 // A pipe that nobody reads would be waited for without a word.

@@ -16,7 +16,8 @@ constexpr double kLargestShare = 1e-4, kSmallestShare = 1e-9;
 // Of the shortest decimal number that reads back as `value`: what its last digit counts.
 double last_digit(double value) {
   char text[64];
-  const std::to_chars_result written = std::to_chars(std::begin(text), std::end(text), value, std::chars_format::scientific);
+  const std::to_chars_result written =
+      std::to_chars(std::begin(text), std::end(text), value, std::chars_format::scientific);
   const std::string digits(std::begin(text), written.ptr);
   const std::size_t point = digits.find('.'), e = digits.find('e');
   const int decimals = point == std::string::npos ? 0 : static_cast<int>(e - point) - 1;

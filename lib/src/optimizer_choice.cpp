@@ -48,9 +48,10 @@ std::size_t chosen_optimizer(const Study& study, const std::string& word, const 
   const auto left_out = std::ranges::find_if(
       study.left_out, [&](const LeftOut& entry) { return entry.label == word || entry.use == word; });
   if (left_out != study.left_out.end())
-    throw InputError(Source{option, 0}, fmt::format("optimizer '{}' is not in this build: {}", shown(word), left_out->reason));
-  throw InputError(Source{option, 0},
-                   fmt::format("no optimizer of the study is labelled '{}'{}", shown(word), name_hint(word, labels_of(all))));
+    throw InputError(Source{option, 0},
+                     fmt::format("optimizer '{}' is not in this build: {}", shown(word), left_out->reason));
+  throw InputError(Source{option, 0}, fmt::format("no optimizer of the study is labelled '{}'{}", shown(word),
+                                                  name_hint(word, labels_of(all))));
 }
 
 }  // namespace nodal

@@ -31,11 +31,20 @@ OptionSchema study_schema() {
 
 OptionSchema budget_schema() {
   return {
-      {.name = "seconds", .type = OptionType::number, .unit = "s", .minimum = 0.0, .minimum_excluded = true,
+      {.name = "seconds",
+       .type = OptionType::number,
+       .unit = "s",
+       .minimum = 0.0,
+       .minimum_excluded = true,
        .help = "wall time of a trial"},
       {.name = "evaluations", .type = OptionType::integer, .minimum = 1, .help = "costs seen in a trial"},
-      {.name = "target_gap", .type = OptionType::number, .minimum = 0.0, .maximum = 1.0, .minimum_excluded = true,
-       .maximum_excluded = true, .help = "stop at (G − G*)/(G_start − G*) ≤ this; needs a best known quality"},
+      {.name = "target_gap",
+       .type = OptionType::number,
+       .minimum = 0.0,
+       .maximum = 1.0,
+       .minimum_excluded = true,
+       .maximum_excluded = true,
+       .help = "stop at (G − G*)/(G_start − G*) ≤ this; needs a best known quality"},
   };
 }
 

@@ -42,8 +42,9 @@ class DepthScan {
   // How deep this place is: the header's tables, the open brackets, and the dots in front of them and since.
   void check_depth() const {
     if (header_ + above_ + open_.size() + dots_ > kDeepestToml)
-      throw InputError({file_name_, line_}, "more than " + std::to_string(kDeepestToml) +
-                                                " tables within each other: brackets within each other, or dots in a key");
+      throw InputError({file_name_, line_},
+                       "more than " + std::to_string(kDeepestToml) +
+                           " tables within each other: brackets within each other, or dots in a key");
   }
 
   void add_dot() {

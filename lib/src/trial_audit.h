@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-/// What is reported of a trial's start and best point: from fresh, refined evaluations after the search, so that both are
-/// measured alike, whatever the race saw. What doesn't hold fails the trial, and its reason says so.
+/// What is reported of a trial's start and best point: from fresh, refined evaluations after the search, so that both
+/// are measured alike, whatever the race saw. What doesn't hold fails the trial, and its reason says so.
 
 #include <span>
 #include <string>

@@ -18,7 +18,8 @@ constexpr double kFirstStep = 0.2, kSmallestStep = 1e-6;
 // The walk with step sizes of its own; the schedule drives it.
 class AdaptiveWalk {
  public:
-  AdaptiveWalk(Meter& meter, MeteredMoves& moves, double quality, const AdaptiveSettings& settings, RandomStream& random)
+  AdaptiveWalk(Meter& meter, MeteredMoves& moves, double quality, const AdaptiveSettings& settings,
+               RandomStream& random)
       : meter_(meter),
         moves_(moves),
         random_(random),
@@ -49,8 +50,8 @@ class AdaptiveWalk {
   void step_once(double temperature) {
     const std::size_t i = random_.index(steps_.size());
     const Space& space = meter_.space();
-    const double value = reflect(moves_.current_point()[i] + random_.uniform(-steps_[i], steps_[i]), space.lower()[i],
-                                 space.upper()[i]);
+    const double value =
+        reflect(moves_.current_point()[i] + random_.uniform(-steps_[i], steps_[i]), space.lower()[i], space.upper()[i]);
     const Evaluation proposed = moves_.propose(i, value);
     // A step that can't be evaluated is rejected like one that is infinitely bad.
     const double quality = proposed.ok() ? meter_.quality(proposed.cost) : 0.0;

@@ -4,13 +4,16 @@
 /// Annealing that finds its own step sizes and temperatures; it stands beside the paper's and shares its move and its
 /// rule of acceptance.
 ///
-/// Steps        every coordinate has its own size s_i. A proposal that is accepted makes it larger by exp(a(1 − p)), one
-///              that is rejected smaller by exp(−a p), so that a share p is accepted in the long run (Robbins and Monro's
-///              recursion, as in G. Roberts and J. Rosenthal, Examples of Adaptive MCMC, 2009; p = 0.44 is what they
-///              recommend for one coordinate at a time).
-/// Temperature  at first T₀ = mean worsening / ln(1/χ) over as many trial proposals as there are coordinates: a share χ of
+/// Steps        every coordinate has its own size s_i. A proposal that is accepted makes it larger by exp(a(1 − p)),
+/// one
+///              that is rejected smaller by exp(−a p), so that a share p is accepted in the long run (Robbins and
+///              Monro's recursion, as in G. Roberts and J. Rosenthal, Examples of Adaptive MCMC, 2009; p = 0.44 is what
+///              they recommend for one coordinate at a time).
+/// Temperature  at first T₀ = mean worsening / ln(1/χ) over as many trial proposals as there are coordinates: a share χ
+/// of
 ///              worse steps is accepted. Then T ← r T after every `sweeps` proposals per coordinate.
-/// Reheats      when the best G has improved by less than a share `stall` over `patience` temperatures, the walk goes back
+/// Reheats      when the best G has improved by less than a share `stall` over `patience` temperatures, the walk goes
+/// back
 ///              to the best point and to a temperature at which it last improved, halved with every reheat; after
 ///              `reheats` of them it ends.
 

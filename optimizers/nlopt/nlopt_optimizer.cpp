@@ -135,8 +135,8 @@ std::string in_words(nlopt_result result) {
   }
 }
 
-// NLOPT_FAILURE is also how Luksan's methods end at a minimum, when rounding leaves their line search nothing to gain: a
-// failure only if they found nothing although there was a slope to follow.
+// NLOPT_FAILURE is also how Luksan's methods end at a minimum, when rounding leaves their line search nothing to gain:
+// a failure only if they found nothing although there was a slope to follow.
 bool has_failed(nlopt_result result, const Meter& meter, const Objective& objective) {
   if (meter.spent()) return false;
   const bool improved = objective.lowest() < objective.first();

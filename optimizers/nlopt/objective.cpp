@@ -8,8 +8,8 @@ namespace nodal::nlopt_methods {
 
 namespace {
 
-// A start whose cost changes by less than this share of itself per unit of any coordinate is a minimum that somebody wrote
-// down with four digits or more: a line search has nothing to gain there but rounding.
+// A start whose cost changes by less than this share of itself per unit of any coordinate is a minimum that somebody
+// wrote down with four digits or more: a line search has nothing to gain there but rounding.
 constexpr double kLevelSlope = 1e-4;
 // ½ r² of r = 1e-8: the libraries' line searches have constants of their own, and see no slope below that.
 constexpr double kNothingLeft = 0.5e-16;

@@ -24,8 +24,9 @@ class RandomSearch final : public Optimizer {
 void register_random_search(Registry& registry) {
   registry.add(OptimizerDescription{.name = "random-search",
                                     .summary = "independent uniform points of the box: what any method must beat",
-                                    .reference = "S. Brooks, A discussion of random methods for seeking maxima, Operations "
-                                                 "Research 6(2), 1958",
+                                    .reference =
+                                        "S. Brooks, A discussion of random methods for seeking maxima, Operations "
+                                        "Research 6(2), 1958",
                                     .needs = {},
                                     .deterministic = false,
                                     .uses_start = false,

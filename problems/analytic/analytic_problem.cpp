@@ -66,13 +66,19 @@ std::vector<double> read_start(const Options& options, std::size_t dimension, co
 OptionSchema function_schema(const Function& function) {
   const std::string multiple = function.multiple > 1 ? fmt::format(", a multiple of {}", function.multiple) : "";
   return {
-      {.name = "dimension", .type = OptionType::integer, .default_value = static_cast<std::int64_t>(function.dimension),
-       .minimum = static_cast<double>(function.least_dimension), .maximum = kMostCoordinates,
+      {.name = "dimension",
+       .type = OptionType::integer,
+       .default_value = static_cast<std::int64_t>(function.dimension),
+       .minimum = static_cast<double>(function.least_dimension),
+       .maximum = kMostCoordinates,
        .help = "how many coordinates" + multiple},
-      {.name = "bounds", .type = OptionType::number_list,
-       .default_value = Value(Value::List{Value(function.lower), Value(function.upper)}), .length = 2,
+      {.name = "bounds",
+       .type = OptionType::number_list,
+       .default_value = Value(Value::List{Value(function.lower), Value(function.upper)}),
+       .length = 2,
        .help = "lower and upper bound of every coordinate; the customary box by default"},
-      {.name = "start", .type = OptionType::number_list,
+      {.name = "start",
+       .type = OptionType::number_list,
        .default_text = function.start ? "the customary start" : "a point without symmetry in the middle of the box",
        .help = "where trials start, one entry per coordinate"},
   };

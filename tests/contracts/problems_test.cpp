@@ -305,8 +305,9 @@ TEST_P(EveryProblem, PricesMovesLikeFullEvaluations) {
   EXPECT_NEAR(moves->resync().cost, fresh, 1e-10 * fresh);
 }
 
-// From anywhere in the box downhill, with steps as wide as the box at first: prices are right relative to what the cost is
-// now, whatever it was at the start. 1e-9 is the promise; where refining a plain evaluation moves more, ten times that.
+// From anywhere in the box downhill, with steps as wide as the box at first: prices are right relative to what the cost
+// is now, whatever it was at the start. 1e-9 is the promise; where refining a plain evaluation moves more, ten times
+// that.
 TEST_P(EveryProblem, PricesMovesRightOnTheWayDown) {
   Moves* moves = evaluator_->moves();
   if (!moves) GTEST_SKIP() << "no moves";

@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 #include <charconv>
+#include <cmath>
 #include <fstream>
 #include <sstream>
 
@@ -97,8 +97,8 @@ TEST_F(ReadmeTable, HasTheColumnsAndRowsOfTheProgram) {
     EXPECT_EQ(row_of(optimizer).size(), table.columns.size()) << optimizer.label << "\n" << kHowToMend;
 }
 
-// Another compiler or instruction set rounds otherwise, and methods that grope for the last digits of a minimum then end
-// earlier or later: ceres-dogleg after 41 evaluations or 165. A factor of eight is room for that.
+// Another compiler or instruction set rounds otherwise, and methods that grope for the last digits of a minimum then
+// end earlier or later: ceres-dogleg after 41 evaluations or 165. A factor of eight is room for that.
 TEST_F(ReadmeTable, HasTheFiguresOfDeterministicMethods) {
   const report::Table table = report::make_text_table(race());
   std::size_t compared = 0;

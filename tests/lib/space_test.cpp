@@ -12,9 +12,7 @@ namespace {
 
 const std::vector<double> kPlateBounds = {std::log(1e-4), std::log(1e2)};
 
-Space box(std::size_t n) {
-  return Space(std::vector<Coordinate>(n, {"x", kPlateBounds[0], kPlateBounds[1], 0.0}));
-}
+Space box(std::size_t n) { return Space(std::vector<Coordinate>(n, {"x", kPlateBounds[0], kPlateBounds[1], 0.0})); }
 
 TEST(Space, CountsCoordinatesAtTheirBounds) {
   const double lower = kPlateBounds[0], upper = kPlateBounds[1];

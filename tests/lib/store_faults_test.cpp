@@ -383,8 +383,7 @@ TEST(Store, LeavesNoScrapsWhereADirectoryIsInTheWay) {
   Store store(temporary.path());
   fs::create_directories(temporary.path() / "report.html" / "x");
   EXPECT_EQ(message_of<StoreError>([&] { store.write_file("report.html", "new"); }),
-            "cannot write '" + (temporary.path() / "report.html").string() +
-                "': it is no regular file; remove it");
+            "cannot write '" + (temporary.path() / "report.html").string() + "': it is no regular file; remove it");
   EXPECT_EQ(files_in(temporary.path()).size(), 1u);
 }
 

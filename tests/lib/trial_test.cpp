@@ -268,8 +268,8 @@ TEST(Trial, KeepsWhatTheRaceSawWhereTheAuditSaysNoNumber) {
 }
 
 TEST(Trial, KeepsWhatTheRaceSawWhereTheAuditThrows) {
-  const TrialRecord record = run_mischief(
-      {.audit = [](std::span<const double>) -> Evaluation { throw std::runtime_error("no refinement"); }});
+  const TrialRecord record =
+      run_mischief({.audit = [](std::span<const double>) -> Evaluation { throw std::runtime_error("no refinement"); }});
   EXPECT_EQ(record.end, End::failed);
   EXPECT_EQ(record.reason,
             "40 halvings; a fresh evaluation of the start threw: no refinement; a fresh evaluation of the best point "
@@ -370,9 +370,8 @@ TEST(Trial, CountsMinusInfinityAsRefused) {
 TEST(Trial, FailsWithoutAnyFiniteCost) {
   Study study = toy_study();
   study.budget.evaluations = 30;  // and so by its budget, not by itself
-  study.problems[0].problem = std::make_shared<MischievousProblem>(Mischief{.cost = [](std::span<const double>) {
-    return std::numeric_limits<double>::infinity();
-  }});
+  study.problems[0].problem = std::make_shared<MischievousProblem>(
+      Mischief{.cost = [](std::span<const double>) { return std::numeric_limits<double>::infinity(); }});
   const TrialRecord record = run_trial(study, {0, 0, 0}, toy_registry());
   EXPECT_EQ(record.end, End::failed);
   EXPECT_EQ(record.reason, "evaluations spent; no point had a finite cost");
@@ -389,8 +388,7 @@ TEST(Trial, FailsWhereItsTraceLiesBelowItsBest) {
   };
   const TrialRecord false_one = off_by(0.01);
   EXPECT_EQ(false_one.end, End::failed);
-  EXPECT_EQ(false_one.reason,
-            "40 halvings; the race saw a cost of 0.99 at the best point, a fresh evaluation says 1");
+  EXPECT_EQ(false_one.reason, "40 halvings; the race saw a cost of 0.99 at the best point, a fresh evaluation says 1");
   EXPECT_NEAR(*false_one.health.drift, 0.01, 1e-12);
   EXPECT_EQ(off_by(1e-5).end, End::failed);
   EXPECT_EQ(off_by(1e-7).end, End::finished);

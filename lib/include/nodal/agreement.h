@@ -4,8 +4,8 @@
 /// When a cost that a race has seen and a fresh evaluation of the same point say the same.
 ///
 /// Costs are dimensionless, so r = √(2 cost) has a scale of its own: for the elastic problem it is the relative error.
-/// A race's evaluation gives r to kRaceAccuracy. Near a perfect fit that is all there is to say: relative to itself such
-/// a cost is rounding.
+/// A race's evaluation gives r to kRaceAccuracy. Near a perfect fit that is all there is to say: relative to itself
+/// such a cost is rounding.
 
 #include <algorithm>
 #include <cmath>

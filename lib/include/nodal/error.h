@@ -38,7 +38,8 @@ class StoreError : public std::runtime_error {
 /// more than that of the best.
 [[nodiscard]] std::vector<std::string> nearest_names(std::string_view wrong, std::span<const std::string> valid);
 
-/// "; did you mean a or b?" from `nearest_names`; where none is near, "; valid: a, b, c" (the first twelve, "and 3 more").
+/// "; did you mean a or b?" from `nearest_names`; where none is near, "; valid: a, b, c": the first twelve, "and 3
+/// more".
 [[nodiscard]] std::string name_hint(std::string_view wrong, std::span<const std::string> valid);
 
 }  // namespace nodal

@@ -5,9 +5,9 @@
 ///
 /// Reading   regular files only. A FIFO or a device would make the program wait or fill the memory without end.
 /// Replacing all or nothing: the new content is written beside the file and renamed over it, so that whoever reads it
-///           sees the old content or the new, and a full disk loses neither. What is no regular file (a terminal, a FIFO) is
-///           written to instead; a symbolic link stays one, its target is replaced: /dev/stdout, too, where a shell has
-///           sent it into a file.
+///           sees the old content or the new, and a full disk loses neither. What is no regular file (a terminal, a
+///           FIFO) is written to instead; a symbolic link stays one, its target is replaced: /dev/stdout, too, where a
+///           shell has sent it into a file.
 /// Threads   may be called from any.
 
 #include <cstdint>
@@ -20,16 +20,16 @@ namespace nodal {
 /// A study, a table or an outline larger than this is taken for a mistake [bytes].
 inline constexpr std::uintmax_t kLargestInput = std::uintmax_t{1} << 28;
 
-/// The contents. InputError "cannot read <what> '<path>': <why>" when it can't be had: missing, not regular, unreadable,
-/// or larger than `most` bytes. `what` is "study", "node file", …; it may be empty.
+/// The contents. InputError "cannot read <what> '<path>': <why>" when it can't be had: missing, not regular,
+/// unreadable, or larger than `most` bytes. `what` is "study", "node file", …; it may be empty.
 [[nodiscard]] std::string read_file(const std::filesystem::path& path, std::string_view what,
                                     std::uintmax_t most = kLargestInput);
 
 /// What a name ends in, from its last dot on, in lower case: ".json" of "Fitted.JSON", whose kind is the same.
 [[nodiscard]] std::string extension_of(const std::filesystem::path& path);
 
-/// What a name that is a link means: where it leads, as with what people name; or the link itself, which is replaced, as in
-/// a directory that may be somebody else's. There nothing but a regular file or a link is replaced.
+/// What a name that is a link means: where it leads, as with what people name; or the link itself, which is replaced,
+/// as in a directory that may be somebody else's. There nothing but a regular file or a link is replaced.
 enum class Links { follow, replace };
 
 /// Replaces the file, or makes it. The content is on the disk before it takes the name. StoreError "cannot write

@@ -11,8 +11,8 @@
 /// finite number becomes `invalid_input`. Exceptions of the problem pass through unchanged.
 /// The best point is one of the box: a better cost outside of it is noted and not taken. A best that a walk has only
 /// priced is confirmed by a full evaluation, which is not counted, before it ends a trial at its target, and whenever a
-/// fresh evaluation of the walk refutes its prices (agreement.h). If it is refuted itself, it is taken back: the best and
-/// the trace are again what they were when last confirmed, and the trial goes on.
+/// fresh evaluation of the walk refutes its prices (agreement.h). If it is refuted itself, it is taken back: the best
+/// and the trace are again what they were when last confirmed, and the trial goes on.
 ///
 /// Cost     a value that triggers nothing: under 40 ns, no allocation. The clock is not read at every evaluation but
 ///          about every 0.1 ms, so that it stays below 1 % of cheap evaluations; time spent in evaluations is sampled
@@ -168,7 +168,8 @@ class Meter {
   // A method that gives another number of coordinates would be read or written beyond its end.
   void require_size(std::span<const double> x) const {
     if (x.size() != best_x_.size()) [[unlikely]]
-      throw std::invalid_argument("the method asked for a point with another number of coordinates than the problem has");
+      throw std::invalid_argument(
+          "the method asked for a point with another number of coordinates than the problem has");
   }
   bool refuse() noexcept;
   bool begin_sample() noexcept;

@@ -32,11 +32,11 @@ struct MovesChoice {
 
 /// What a walk can say about itself; it goes into the record.
 struct MovesReport {
-  std::vector<MovesChoice> choices;  ///< the first 32
-  std::int64_t more_choices = 0;     ///< that are not listed
-  std::int64_t checks = 0;           ///< comparisons with a fresh evaluation
+  std::vector<MovesChoice> choices;             ///< the first 32
+  std::int64_t more_choices = 0;                ///< that are not listed
+  std::int64_t checks = 0;                      ///< comparisons with a fresh evaluation
   std::optional<std::int64_t> taken_back = {};  ///< best points that a full evaluation refuted; set by the meter
-  std::optional<double> drift;       ///< the largest that they found, as relative_drift() measures it
+  std::optional<double> drift;                  ///< the largest that they found, as relative_drift() measures it
 };
 
 class Moves {
@@ -55,8 +55,8 @@ class Moves {
   /// Evaluates the current point afresh, drops accumulated rounding, and returns its cost.
   virtual Evaluation resync() = 0;
   [[nodiscard]] virtual MovesReport report() const { return {}; }
-  /// How many of the walk's own comparisons with a fresh evaluation have refuted what was priced (agreement.h). Each time,
-  /// the meter evaluates its best point afresh, and takes it back if need be. Asked after every accept.
+  /// How many of the walk's own comparisons with a fresh evaluation have refuted what was priced (agreement.h). Each
+  /// time, the meter evaluates its best point afresh, and takes it back if need be. Asked after every accept.
   [[nodiscard]] virtual std::int64_t contradictions() const { return 0; }
 
  protected:

@@ -35,8 +35,8 @@ class Space {
   /// True when every coordinate is a number within its bounds (bounds included).
   [[nodiscard]] bool contains(std::span<const double> x) const;
   /// How many coordinates lie at a bound or beyond: within 1e-9 of the interval's width of it. A bound that has gone
-  /// through exp and log, or through a library's own scaling to [0, 1], is off by a few ulps (1e-15 of its width); where
-  /// an optimum lies inside, coming that close to a bound by chance has a probability of 2e-9 per coordinate.
+  /// through exp and log, or through a library's own scaling to [0, 1], is off by a few ulps (1e-15 of its width);
+  /// where an optimum lies inside, coming that close to a bound by chance has a probability of 2e-9 per coordinate.
   [[nodiscard]] std::size_t at_bounds(std::span<const double> x) const;
   /// Moves each coordinate to the nearest point of the box; NaN becomes the start.
   void clamp(std::span<double> x) const;

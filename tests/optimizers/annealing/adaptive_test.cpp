@@ -39,8 +39,10 @@ TEST(AdaptiveAnnealing, EndsAfterItsReheatsWhereNothingGetsBetter) {
 // The bowl's worsening by steps of at most 0.2 is known to the option: a share χ of it is accepted at T₀.
 TEST(AdaptiveAnnealing, TakesItsTemperatureFromTheFirstWorsening) {
   const toy::ToyProblem bowl(5);
-  const double low = anneal(bowl, {.initial_acceptance = 0.1}, 50).outcome.effective_options.at("initial_temperature").number();
-  const double high = anneal(bowl, {.initial_acceptance = 0.5}, 50).outcome.effective_options.at("initial_temperature").number();
+  const double low =
+      anneal(bowl, {.initial_acceptance = 0.1}, 50).outcome.effective_options.at("initial_temperature").number();
+  const double high =
+      anneal(bowl, {.initial_acceptance = 0.5}, 50).outcome.effective_options.at("initial_temperature").number();
   EXPECT_GT(low, 0.0);
   EXPECT_NEAR(high / low, std::log(10.0) / std::log(2.0), 1e-12);
 }

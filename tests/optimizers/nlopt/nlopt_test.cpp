@@ -129,7 +129,8 @@ TEST_P(NloptMethods, HaveFinishedWhereTheStartIsTheBestCorner) {
   EXPECT_NEAR(report.best_cost, 2.5, 1e-12);
 }
 
-// A slope that leads nowhere: ten times the cost wherever one goes. Line searches find no way on, and that is a failure.
+// A slope that leads nowhere: ten times the cost wherever one goes. Line searches find no way on, and that is a
+// failure.
 TEST(NloptLineSearches, FailWhereASlopeLeadsNowhere) {
   const auto only_the_start = [](std::span<const double> x) {
     return x[0] == toy::kStart && x[1] == toy::kStart ? 1.0 : 10.0;

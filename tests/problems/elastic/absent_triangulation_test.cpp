@@ -4,8 +4,8 @@
 #include <nodal/error.h>
 #include <nodal/study.h>
 
-#include "../../support/messages.h"
 #include "../../support/components.h"
+#include "../../support/messages.h"
 #include "bodies.h"
 #include "points/grid_points.h"
 #include "points/iterated_voronoi.h"
@@ -48,7 +48,8 @@ TEST(AbsentTriangulation, IsSaidOfAStudyWithItsPlace) {
             "s.toml:5: layout 'voronoi' needs " + lacks);
   EXPECT_EQ(refusal("masses = { form = \"positive\" }\n"), "s.toml:5: positive masses need " + lacks);
   EXPECT_EQ(refusal("points = { layout = \"random\", total = 20 }\nsprings = {}\n"),
-            "s.toml:6: topology 'delaunay', which suits these points, needs " + lacks + "; springs = { topology = \"nearest\" } doesn't");
+            "s.toml:6: topology 'delaunay', which suits these points, needs " + lacks +
+                "; springs = { topology = \"nearest\" } doesn't");
   EXPECT_EQ(refusal("points = { layout = \"random\", total = 20 }\nsprings = { topology = \"nearest\" }\n"),
             "(nothing was thrown)");
 }

@@ -304,8 +304,10 @@ TEST_F(Brought, CasesThatDoNotFitAreSaidWithTheirPlace) {
   write("displacements.csv", "node,ux,uy\n2,1,1\n2,1,1\n");
   EXPECT_EQ(with(fine), "displacements.csv:3: node 2 stands twice in load 'pull'");
   write("displacements.csv", "node,ux,uy\n2,,\n");
-  EXPECT_EQ(with(fine), "displacements.csv: no displacement is measured for load 'pull': all are empty, or have the weight 0; to solve "
-            "without comparing, leave 'reference' out");
+  EXPECT_EQ(
+      with(fine),
+      "displacements.csv: no displacement is measured for load 'pull': all are empty, or have the weight 0; to solve "
+      "without comparing, leave 'reference' out");
   write("displacements.csv", "node,x,y,ux,uy\n");
   EXPECT_EQ(with(fine), "displacements.csv:1: the columns must have either 'node', or both 'x' and 'y'");
 }

@@ -83,9 +83,10 @@ TEST(Csv, TakesNanInAnySpellingForNotMeasured) {
 TEST(Csv, RefusesWhatItCannotRead) {
   EXPECT_EQ(table_refusal(""), "t.csv: the file is empty; its first line must name the columns");
   EXPECT_EQ(table_refusal("b\n1\n"), "t.csv:1: column 'a' is missing; possible columns: a, b, name");
-  EXPECT_EQ(table_refusal("a,nome\n"),
-            "t.csv:1: unknown column 'nome'; did you mean 'name'? such a table is read by columns = { a = \"a\", name = "
-            "\"nome\" }");
+  EXPECT_EQ(
+      table_refusal("a,nome\n"),
+      "t.csv:1: unknown column 'nome'; did you mean 'name'? such a table is read by columns = { a = \"a\", name = "
+      "\"nome\" }");
   EXPECT_EQ(
       table_refusal("A [m],B,strain_xx\n"),
       "t.csv:1: unknown column 'A [m]'; valid: 'a', 'b', 'name'; such a table is read by columns = { a = \"A [m]\", "

@@ -129,7 +129,8 @@ TEST_P(Derivatives, MovesArePricedLikeFullEvaluations) {
     y[i] = std::clamp(y[i] + random_.uniform(-2.0, 2.0), problem_->space().lower()[i], problem_->space().upper()[i]);
     const Evaluation priced = moves->propose(i, y[i]);
     const Evaluation expected = full->audit(y);
-    ASSERT_TRUE(priced.ok()) << to_string(priced.status) << " where a full evaluation is " << to_string(expected.status);
+    ASSERT_TRUE(priced.ok()) << to_string(priced.status) << " where a full evaluation is "
+                             << to_string(expected.status);
     if (!expected.ok()) continue;  // a corner of the box, where double precision can't vouch for the digits
     // Pricing works on an unrefined equilibrium: 1e-10 of u is what the race promises, twice that of a square.
     EXPECT_NEAR(priced.cost, expected.cost, 2e-10 * expected.cost);

@@ -7,8 +7,8 @@
 #include <nodal/random.h>
 
 #include "full_evaluation.h"
-#include "lanes/lane_system.h"
 #include "lanes/lane_model.h"
+#include "lanes/lane_system.h"
 #include "plate.h"
 
 namespace nodal::elastic {

@@ -39,7 +39,8 @@ class NotingMoves final : public Moves {
 
 class NotingEvaluator final : public Evaluator {
  public:
-  explicit NotingEvaluator(const Problem& problem) : evaluator_(problem.make_evaluator()), noting(*evaluator_->moves()) {}
+  explicit NotingEvaluator(const Problem& problem)
+      : evaluator_(problem.make_evaluator()), noting(*evaluator_->moves()) {}
   Evaluation value(std::span<const double> x) override { return evaluator_->value(x); }
   [[nodiscard]] Moves* moves() override { return &noting; }
 
@@ -149,10 +150,11 @@ TEST_P(EveryForm, PricesAStepOntoAPerfectFit) {
   ASSERT_EQ(moves.accept(), Status::ok);
   x[7] += 1e-4;
   const double expected = full->audit([&] {
-    std::vector<double> y = exact;
-    y[7] += 1e-4;
-    return y;
-  }()).cost;
+                                std::vector<double> y = exact;
+                                y[7] += 1e-4;
+                                return y;
+                              }())
+                              .cost;
   EXPECT_NEAR(moves.propose(7, exact[7] + 1e-4).cost, expected, 1e-8 * expected);
 }
 
@@ -162,8 +164,8 @@ double noise(double cost, const Health& health) {
   return r * moved + 0.5 * moved * moved;
 }
 
-// From starts anywhere in the box, where stiffnesses differ by 1e6 and G falls by three to four orders in a descent whose
-// steps are as wide as the box at first: every 25th price is compared with a refined evaluation.
+// From starts anywhere in the box, where stiffnesses differ by 1e6 and G falls by three to four orders in a descent
+// whose steps are as wide as the box at first: every 25th price is compared with a refined evaluation.
 TEST_P(EveryForm, PricesRightWhileTheQualityFallsByOrders) {
   const auto problem = make_plate({.poisson = 0.2, .moves = GetParam()});
   const auto evaluator = problem->make_evaluator(), full = problem->make_evaluator();
@@ -207,10 +209,10 @@ INSTANTIATE_TEST_SUITE_P(Forms, EveryForm, testing::Values("eager", "lazy", "ref
 // The same steps by every form, from starts where G is a thousand times what it ends at.
 TEST(Moves, EndTheSameFromSampledStarts) {
   const auto trials = [](const std::string& form) {
-    const Study study = parse_study(
-        "[study]\nseed = 3\nrepeats = 4\nstarts = \"sampled\"\n[budget]\nevaluations = 12000\n" +
-            plate_toml({.poisson = 0.2, .moves = form}) + "[[optimizer]]\nuse = \"annealing-adaptive\"\n",
-        "plate.toml", components());
+    const Study study =
+        parse_study("[study]\nseed = 3\nrepeats = 4\nstarts = \"sampled\"\n[budget]\nevaluations = 12000\n" +
+                        plate_toml({.poisson = 0.2, .moves = form}) + "[[optimizer]]\nuse = \"annealing-adaptive\"\n",
+                    "plate.toml", components());
     std::vector<TrialRecord> records;
     for (const int repeat : {2, 3}) records.push_back(run_trial(study, {0, 0, repeat}, components()));
     return records;

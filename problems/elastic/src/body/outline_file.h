@@ -4,9 +4,9 @@
 /// Outlines in files: a POLYGON in WKT (OGC 06-103r4, 7.2) and a Polygon in GeoJSON (RFC 7946).
 ///
 /// Both list rings, the outline first, and each ring ends with its first point again: a ring that doesn't is refused as
-/// open. Coordinates are metres. A multi-polygon, or a collection, of a single polygon is that polygon; several, and what
-/// else these formats can hold, are refused. A z that is the same for all points is left out, as is the SRID in front
-/// of a WKT, which FileOutline::remarks tells; several z, and measures (M), are refused.
+/// open. Coordinates are metres. A multi-polygon, or a collection, of a single polygon is that polygon; several, and
+/// what else these formats can hold, are refused. A z that is the same for all points is left out, as is the SRID in
+/// front of a WKT, which FileOutline::remarks tells; several z, and measures (M), are refused.
 ///
 /// WKT is read here and not by Boost.Geometry's read_wkt, because 1.74 refuses a line break between numbers, takes
 /// "1 0 6" for the two points (1, 0) and (6, 0) and "1" for (1, 0), and knows no lines. GeoJSON is JSON as parse_json

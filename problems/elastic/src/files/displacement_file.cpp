@@ -123,9 +123,11 @@ std::vector<MeasuredLoad> read_displacement_file(const std::filesystem::path& pa
   }
   for (std::size_t l = 0; l < loads.size(); ++l)
     if (std::ranges::none_of(measured[l].weights, [](double w) { return w > 0.0; }))
-      throw InputError({path.string(), 0}, fmt::format("no displacement is measured for load '{}': all are empty, or have the weight 0; to solve "
-                                   "without comparing, leave 'reference' out",
-                                   shown(loads[l])));
+      throw InputError(
+          {path.string(), 0},
+          fmt::format("no displacement is measured for load '{}': all are empty, or have the weight 0; to solve "
+                      "without comparing, leave 'reference' out",
+                      shown(loads[l])));
   for (const std::string& remark : {table.left_out(), heights.left_out(path.string())})
     if (!remark.empty()) net.remarks.push_back(remark);
   return measured;

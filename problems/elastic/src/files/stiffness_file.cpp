@@ -31,8 +31,8 @@ double stiffness_of(const SpringEntry& entry, const std::string& name) {
 std::string whole_system_advice(const std::filesystem::path& path) {
   const std::string name = shown(path.filename().string());
   return fmt::format(
-      "; a system of its own, as after --prune, is read by points = {{ file = \"{}\" }}, springs = {{ file = \"{}\" }}", name,
-      name);
+      "; a system of its own, as after --prune, is read by points = {{ file = \"{}\" }}, springs = {{ file = \"{}\" }}",
+      name, name);
 }
 
 }  // namespace

@@ -83,8 +83,8 @@ void check_schema(const Value& file, const std::string& name) {
 std::optional<std::array<double, 2>> bounds_of(const Value& file) {
   const Value* bounds = file.find("bounds");
   if (!bounds) return std::nullopt;
-  const bool pair = bounds->is_list() && bounds->list().size() == 2 && bounds->list()[0].is_number() &&
-                    bounds->list()[1].is_number();
+  const bool pair =
+      bounds->is_list() && bounds->list().size() == 2 && bounds->list()[0].is_number() && bounds->list()[1].is_number();
   const double lower = pair ? bounds->list()[0].number() : 0.0, upper = pair ? bounds->list()[1].number() : 0.0;
   if (!(0.0 < lower && lower < upper))
     throw InputError(bounds->source, "\"bounds\" must be [lower, upper] in N/m with 0 < lower < upper");

@@ -7,10 +7,11 @@ namespace nodal::elastic {
 
 Option columns_option(std::initializer_list<const char*> columns) {
   OptionSchema fields;
-  for (const char* column : columns) fields.push_back({.name = column,
-                                                   .type = OptionType::text,
-                                                   .default_text = "not read",
-                                                   .help = fmt::format("what the file calls the column '{}'", column)});
+  for (const char* column : columns)
+    fields.push_back({.name = column,
+                      .type = OptionType::text,
+                      .default_text = "not read",
+                      .help = fmt::format("what the file calls the column '{}'", column)});
   return {.name = "columns",
           .type = OptionType::table,
           .default_text = "as they are called here, and no others",

@@ -25,8 +25,8 @@ bool values_by_lanes(const ElasticModel& model) {
 LaneEvaluation::LaneEvaluation(const ElasticModel& model) : model_(model) {
   for (LaneSystem& lanes : make_systems(model, model.lanes())) {
     const LaneStructure& structure = lanes.structure();
-    System& system =
-        systems_.emplace_back(System{std::move(lanes), AlignedArray(structure.slots() * structure.vector_size()), {}, {}, {}});
+    System& system = systems_.emplace_back(
+        System{std::move(lanes), AlignedArray(structure.slots() * structure.vector_size()), {}, {}, {}});
     system.residuals.resize(structure.slots());
     for (const LaneStructure::Slot& slot : structure.loads()) {
       const EquilibriumGroup& group = *model.groups[slot.group];
@@ -134,8 +134,7 @@ void LaneEvaluation::add_jacobian(std::span<double> jacobian) {
         const double* u = system.u.data() + slot * vector;
         for (std::size_t c = 0; c < count; ++c)  // −k_e (b_e·u) of each group
           for (std::size_t lane = 0; lane < structure.lanes(); ++lane)
-            factors[c * structure.lanes() + lane] =
-                -stiffness_[begin + c] * structure.elongation(begin + c, lane, u);
+            factors[c * structure.lanes() + lane] = -stiffness_[begin + c] * structure.elongation(begin + c, lane, u);
         for (const Residual& r : system.residuals[slot]) {
           const std::size_t lane = r.at % structure.lanes();
           double* row = jacobian.data() + r.residual * width;

@@ -48,7 +48,7 @@ class LaneEvaluation final : public PointDerivatives {
   };
   struct System {
     LaneSystem lanes;
-    AlignedArray u;  // [slots] vectors
+    AlignedArray u;                                // [slots] vectors
     std::vector<std::vector<Residual>> residuals;  // by slot
     AlignedArray columns, factors;                 // of a Jacobian; made at the first one
   };

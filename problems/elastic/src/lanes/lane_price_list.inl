@@ -59,15 +59,16 @@ inline Pair<G> elongations(const LaneSpring& s, const double* u) {
 
 // A row of the list is read as pairs (Q, R) and (t, v), so that one register takes two of the four updates.
 //
-// What the changed spring brings into the other rows, and its own new row, come from the factor's solutions, not from its
-// old row: taken from there an error in Q would grow by 1/σ with every softening, and a spring that goes soft and stiff
-// by turns would make noise of the whole list.
+// What the changed spring brings into the other rows, and its own new row, come from the factor's solutions, not from
+// its old row: taken from there an error in Q would grow by 1/σ with every softening, and a spring that goes soft and
+// stiff by turns would make noise of the whole list.
 template <int G>
 void update_table(const LaneView& view, Index spring, double change, double* table) {
   const std::size_t stride = table_stride(view.slots, G);
   double* own = table + stride * spring;
   const Lane<G> zero = Lane<G>::all(0.0), one = Lane<G>::all(1.0);
-  const Lane<G> q_own = elongation<G>(view.spring[spring], view.z), rho_own = elongation<G>(view.spring[spring], view.y);
+  const Lane<G> q_own = elongation<G>(view.spring[spring], view.z),
+                rho_own = elongation<G>(view.spring[spring], view.y);
   // σ = 1 + δQ = 1/(1 − q̂), whichever loses no digits.
   const bool softer = change < 0.0;
   const Lane<G> sum = softer ? one - q_own : one + Lane<G>::load(own) * change, reciprocal = one / sum;

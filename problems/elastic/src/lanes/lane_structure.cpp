@@ -69,8 +69,8 @@ NodeGraph::NodeGraph(const Net& net) : position(net.nodes.size()), parent(net.no
     const std::uint32_t low = position[ordered ? s.first : s.second], high = position[ordered ? s.second : s.first];
     const double sign = ordered ? 1.0 : -1.0;
     const auto found = std::lower_bound(row.begin() + begin[low], row.begin() + begin[low + 1], high);
-    springs.push_back({sign * s.direction[0], sign * s.direction[1], low, high,
-                       static_cast<std::uint32_t>(found - row.begin())});
+    springs.push_back(
+        {sign * s.direction[0], sign * s.direction[1], low, high, static_cast<std::uint32_t>(found - row.begin())});
     path_blocks += to_root[low] / static_cast<double>(net.springs.size());
   }
 }
@@ -91,7 +91,8 @@ LaneStructure::LaneStructure(std::span<const std::unique_ptr<EquilibriumGroup>> 
     place_freedoms(*groups[counts ? lane : 0], lane, counts);
     if (!counts) continue;
     place_loads(*groups[lane], lane);
-    for (std::size_t slot = 0; slot < groups[lane]->loads().size(); ++slot) loads_.push_back({first + lane, lane, slot});
+    for (std::size_t slot = 0; slot < groups[lane]->loads().size(); ++slot)
+      loads_.push_back({first + lane, lane, slot});
   }
 }
 

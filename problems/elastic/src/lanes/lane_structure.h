@@ -24,11 +24,11 @@ namespace nodal::elastic {
 struct NodeGraph {
   explicit NodeGraph(const Net& net);
 
-  std::vector<std::uint32_t> position;      ///< of each node in the elimination order
-  std::vector<std::uint32_t> begin, row;    ///< blocks by columns, the diagonal first, rows ascending
-  std::vector<std::uint32_t> parent;        ///< in the elimination tree, or kNoNode
-  std::vector<std::uint8_t> twin;           ///< 1: column j and the next have the same rows below; they are a pair
-  std::vector<std::uint32_t> row_begin;     ///< blocks by rows, left of the diagonal
+  std::vector<std::uint32_t> position;    ///< of each node in the elimination order
+  std::vector<std::uint32_t> begin, row;  ///< blocks by columns, the diagonal first, rows ascending
+  std::vector<std::uint32_t> parent;      ///< in the elimination tree, or kNoNode
+  std::vector<std::uint8_t> twin;         ///< 1: column j and the next have the same rows below; they are a pair
+  std::vector<std::uint32_t> row_begin;   ///< blocks by rows, left of the diagonal
   std::vector<RowEntry> row_entries;
   std::vector<LaneSpring> springs;
   /// Blocks of the columns from a spring's lower end to the root, averaged over the springs.

@@ -11,13 +11,13 @@ namespace nodal::elastic {
 namespace {
 
 // In block units, estimated from timings of the kernels. Only their ratios matter.
-constexpr double kListedPrice = 15.0;     // a proposal from the price list, call included
-constexpr double kCall = 60.0;            // entering a solve: clearing vectors, first cache lines
-constexpr double kListedSpring = 2.5;     // one row of the price list brought up to date
+constexpr double kListedPrice = 15.0;       // a proposal from the price list, call included
+constexpr double kCall = 60.0;              // entering a solve: clearing vectors, first cache lines
+constexpr double kListedSpring = 2.5;       // one row of the price list brought up to date
 constexpr double kFlopsOfFactoring = 14.0;  // flops of one group's factorization done in a unit, by lanes
-constexpr double kScalarFlops = 1.6;      // … and by CHOLMOD's simplicial code
-constexpr double kScalarSolve = 3.0;      // one block of one group in a CHOLMOD triangular solve
-constexpr double kScalarCall = 400.0;     // a CHOLMOD call for one group
+constexpr double kScalarFlops = 1.6;        // … and by CHOLMOD's simplicial code
+constexpr double kScalarSolve = 3.0;        // one block of one group in a CHOLMOD triangular solve
+constexpr double kScalarCall = 400.0;       // a CHOLMOD call for one group
 constexpr double kMostBytes = 4.0 * 1073741824.0;
 
 // The sizes that costs depend on.
@@ -38,8 +38,8 @@ Sizes sizes_of(const ElasticModel& model, const LaneModel& lanes) {
   s.members = s.springs / s.coordinates;
   for (const auto& structure : lanes.structures) {
     s.numbers += 2.0 * static_cast<double>(structure->lanes());
-    s.listed += static_cast<double>(table_stride(static_cast<std::uint32_t>(structure->slots()),
-                                                 static_cast<std::uint32_t>(structure->lanes())));
+    s.listed += static_cast<double>(
+        table_stride(static_cast<std::uint32_t>(structure->slots()), static_cast<std::uint32_t>(structure->lanes())));
   }
   s.lane_factoring = graph.factorization_flops / kFlopsOfFactoring + s.springs * 4.0;
   for (const auto& group : model.groups) s.scalar_factoring += group->pattern().factorization_flops() / kScalarFlops;

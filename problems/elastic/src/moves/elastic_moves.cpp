@@ -239,16 +239,17 @@ void ElasticMoves::review() {
   reviewed_proposed_ = proposed_;
   reviewed_accepted_ = accepted_;
   if (model_.scene.moves.form != "auto") return;
-  const auto step_cost = [&](Form form) { return proposals * costs_.of(form).price + accepted * costs_.of(form).accept; };
+  const auto step_cost = [&](Form form) {
+    return proposals * costs_.of(form).price + accepted * costs_.of(form).accept;
+  };
   for (std::size_t f = 0; f < kForms; ++f) {
     const Form other = static_cast<Form>(f);
     if (other == form_kind_ || !costs_.of(other).excluded.empty()) continue;
     regret_[f] = std::max(0.0, regret_[f] + step_cost(form_kind_) - step_cost(other));
     if (regret_[f] <= costs_.of(other).begin) continue;
-    const std::string reason =
-        fmt::format("{:.0f} % of the last {:.0f} proposals accepted: a step costs about {:.2g} times as much by {}",
-                    100.0 * accepted / proposals, proposals, step_cost(form_kind_) / step_cost(other),
-                    to_string(form_kind_));
+    const std::string reason = fmt::format(
+        "{:.0f} % of the last {:.0f} proposals accepted: a step costs about {:.2g} times as much by {}",
+        100.0 * accepted / proposals, proposals, step_cost(form_kind_) / step_cost(other), to_string(form_kind_));
     if (solve_fresh() != Status::ok) return;
     use(other, reason);
     begin_form();

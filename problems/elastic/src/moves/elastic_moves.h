@@ -6,10 +6,12 @@
 /// Choice   a form is left for another once it has cost more, on the walk so far, than the other would have by as much
 ///          as taking over costs (the rule of renting or buying: at most about twice the cost of knowing in advance).
 ///          Costs come from CostModel, so equal runs choose equally. `scene.moves.form` forces one.
-/// Drift    the point's G² is compared with a fresh full evaluation after `interval` accepted changes, and sooner when a
+/// Drift    the point's G² is compared with a fresh full evaluation after `interval` accepted changes, and sooner when
+/// a
 ///          bound on its rounding, Σ 8ε(G² + G'²), exceeds 1e-9 of it. The interval is what the drift found allows for
 ///          staying below a tenth of 1e-9, growing at most twofold. A drift above that makes the form start anew.
-/// Loss     G² may be right and the next price wrong all the same: what a form keeps is brought up to date by differences,
+/// Loss     G² may be right and the next price wrong all the same: what a form keeps is brought up to date by
+/// differences,
 ///          so its errors are relative to what it once was. Since the form began, with n changes accepted and p the
 ///          largest ratio between two stiffnesses that one spring has had, factor and compliances have lost nεp; and
 ///          displacements, which once were as far off as G was, Σε(G + ‖u_ref‖)/G of the present G. Once four times the
@@ -64,7 +66,7 @@ class ElasticMoves final : public Moves {
   Work past_;  // of forms that were left
 
   std::vector<std::span<const std::size_t>> springs_;  // by coordinate, at hand for the hot path
-  std::vector<double> x_, lowest_, highest_;  // the last two: of each coordinate since the form began
+  std::vector<double> x_, lowest_, highest_;           // the last two: of each coordinate since the form began
   std::vector<double> stiffness_;
   double squared_ = 0.0;  // G² of the point
   // The last proposal.
@@ -75,13 +77,14 @@ class ElasticMoves final : public Moves {
 
   // Renting or buying: how much more than each other form the present one has cost.
   std::array<double, kForms> regret_{};
-  std::int64_t proposed_ = 0, accepted_ = 0;                // in all
+  std::int64_t proposed_ = 0, accepted_ = 0;                    // in all
   std::int64_t reviewed_proposed_ = 0, reviewed_accepted_ = 0;  // … at the last review
   std::int64_t until_review_ = 0;
 
   std::int64_t since_check_ = 0, interval_;
   double rounding_ = 0.0;  // bound on what G² has gathered since it was fresh
-  // What the form has lost since it began: the widest stretch of a coordinate and its ratio of stiffnesses, Σ G + ‖u_ref‖.
+  // What the form has lost since it began: the widest stretch of a coordinate and its ratio of stiffnesses, Σ G +
+  // ‖u_ref‖.
   double widest_ = 0.0, ratio_ = 1.0, travelled_ = 0.0;
   std::int64_t updates_ = 0;
   std::int64_t contradictions_ = 0;

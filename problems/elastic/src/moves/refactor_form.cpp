@@ -56,8 +56,8 @@ bool RefactorForm::accept(const Change& /*change*/) {
 
 Work RefactorForm::work() const {
   const std::int64_t slots = systems_.empty() ? 0 : static_cast<std::int64_t>(systems_.front().structure().slots());
-  Work total =
-      lane_work(systems_, {.factorizations = factorizations_, .full_passes = 2 * slots * solves_, .solves = slots * solves_});
+  Work total = lane_work(
+      systems_, {.factorizations = factorizations_, .full_passes = 2 * slots * solves_, .solves = slots * solves_});
   if (full_) total += full_->work();
   return total;
 }

@@ -31,8 +31,7 @@ bool TableForm::reset(std::span<const double> stiffness, const FullEvaluation& s
     system.take_displacements(solved, u.data());
     for (std::uint32_t e = 0; e < system.view().springs; ++e) {
       solve_spring(s, e);
-      system.kernels().fill_row(system.view(), e, system.view().z, u.data(),
-                                lists_[s].rows + lists_[s].stride * e);
+      system.kernels().fill_row(system.view(), e, system.view().z, u.data(), lists_[s].rows + lists_[s].stride * e);
     }
   }
   return true;

@@ -8,15 +8,16 @@
 /// UpdownForm from CHOLMOD's.
 ///
 /// G'² comes as a difference, G² + Σ α(αR − 2t). By Cauchy and Schwarz its terms are at most about (G + G')², so digits
-/// are lost only where G' ≪ G; a proposal that good is evaluated in full, and so is one that leaves a group hardly held.
+/// are lost only where G' ≪ G; a proposal that good is evaluated in full, and so is one that leaves a group hardly
+/// held.
 ///
 /// Cost     price O(1); accept O(springs) and the solves. Memory: (2 + 2·loads per group) numbers per spring and lane.
 /// Threads  one per thread.
 
 #include <vector>
 
-#include "lanes/lane_system.h"
 #include "lanes/lane_model.h"
+#include "lanes/lane_system.h"
 #include "moves/pricing_form.h"
 
 namespace nodal::elastic {

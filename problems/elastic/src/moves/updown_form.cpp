@@ -78,8 +78,8 @@ void UpdownForm::solve_adjoint(Group& group) {
   const std::span<double> rhs = group.factor.right_hand_side(1);
   for (std::size_t place = 0; place < group.group.free(); ++place) {
     const std::size_t freedom = group.group.freedom_at(place);
-    rhs[place] = group.group.weights()[place] *
-                 system.view().z[system.structure().at(freedom / 2, freedom % 2, group.lane)];
+    rhs[place] =
+        group.group.weights()[place] * system.view().z[system.structure().at(freedom / 2, freedom % 2, group.lane)];
   }
   ++work_.solves;
   work_.flops += group.group.pattern().solve_flops();

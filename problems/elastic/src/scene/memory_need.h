@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-/// How much memory a net takes, known before its factors are made: a study of a few words can ask for more than there is.
+/// How much memory a net takes, known before its factors are made: a study of a few words can ask for more than there
+/// is.
 
 #include <cstddef>
 #include <filesystem>
@@ -10,8 +11,9 @@
 
 namespace nodal::elastic {
 
-/// [bytes] of a problem and one evaluator, by n log n for each group of supports, as factors of plane nets grow. Measured
-/// on crossed grids of 10⁴ to 9·10⁴ nodes under 1 and 4 groups, within a quarter; of nets with fewer springs it is less.
+/// [bytes] of a problem and one evaluator, by n log n for each group of supports, as factors of plane nets grow.
+/// Measured on crossed grids of 10⁴ to 9·10⁴ nodes under 1 and 4 groups, within a quarter; of nets with fewer springs
+/// it is less.
 [[nodiscard]] double memory_need(std::size_t nodes, std::size_t groups);
 
 /// InputError at `source` when a net needs more than three quarters of `memory` bytes.

@@ -22,22 +22,41 @@ namespace {
 
 OptionSchema material_fields() {
   return {
-      {.name = "young", .type = OptionType::number, .default_value = 1.0, .unit = "Pa", .minimum = 0.0,
-       .minimum_excluded = true, .help = "Young's modulus E"},
-      {.name = "poisson", .type = OptionType::number, .default_value = 0.3, .minimum = -1.0, .maximum = 0.5,
-       .minimum_excluded = true, .maximum_excluded = true, .help = "Poisson's ratio ν; at most 0.4999 in plane strain"},
-      {.name = "plane", .type = OptionType::text, .default_value = "stress", .choices = {"stress", "strain"},
+      {.name = "young",
+       .type = OptionType::number,
+       .default_value = 1.0,
+       .unit = "Pa",
+       .minimum = 0.0,
+       .minimum_excluded = true,
+       .help = "Young's modulus E"},
+      {.name = "poisson",
+       .type = OptionType::number,
+       .default_value = 0.3,
+       .minimum = -1.0,
+       .maximum = 0.5,
+       .minimum_excluded = true,
+       .maximum_excluded = true,
+       .help = "Poisson's ratio ν; at most 0.4999 in plane strain"},
+      {.name = "plane",
+       .type = OptionType::text,
+       .default_value = "stress",
+       .choices = {"stress", "strain"},
        .help = "plane stress or plane strain"},
   };
 }
 
 OptionSchema initial_fields() {
   return {
-      {.name = "rule", .type = OptionType::text, .choices = {"paper", "area", "lattice", "energy"},
+      {.name = "rule",
+       .type = OptionType::text,
+       .choices = {"paper", "area", "lattice", "energy"},
        .help = "one of the rules"},
-      {.name = "scale", .type = OptionType::text, .choices = {"best"},
+      {.name = "scale",
+       .type = OptionType::text,
+       .choices = {"best"},
        .help = "best: times the single factor that makes the error least"},
-      {.name = "file", .type = OptionType::text,
+      {.name = "file",
+       .type = OptionType::text,
        .help = "a stiffness file, relative to the study; outside the bounds it can be evaluated, but not fitted"},
   };
 }
@@ -88,12 +107,17 @@ OptionSchema springs_fields() {
 
 OptionSchema moves_fields() {
   return {
-      {.name = "form", .type = OptionType::text, .default_value = "auto",
+      {.name = "form",
+       .type = OptionType::text,
+       .default_value = "auto",
        .choices = {"auto", "eager", "lazy", "refactor", "updown", "full"},
-       .help = "auto chooses by size and by how much is accepted, and changes its mind; eager keeps a price list of all "
-               "springs, lazy solves for each proposal, refactor factors for each (all three for all support groups at "
-               "once), updown keeps the list by CHOLMOD's updates, full evaluates each proposal by CHOLMOD"},
-      {.name = "instructions", .type = OptionType::text, .default_value = "auto",
+       .help =
+           "auto chooses by size and by how much is accepted, and changes its mind; eager keeps a price list of all "
+           "springs, lazy solves for each proposal, refactor factors for each (all three for all support groups at "
+           "once), updown keeps the list by CHOLMOD's updates, full evaluates each proposal by CHOLMOD"},
+      {.name = "instructions",
+       .type = OptionType::text,
+       .default_value = "auto",
        .choices = {"auto", "generic", "sse2", "avx2", "avx512"},
        .help = "of the vector kernels; auto takes the widest that the processor has"},
   };
@@ -125,8 +149,12 @@ OptionSchema elastic_schema() {
       table("quality", "how displacements are compared: G of eq. (12)",
             {table("weights", "of squared differences", weight_fields())}),
       table("equilibrium", "how equilibria are solved",
-            {{.name = "method", .type = OptionType::text, .default_value = "auto", .choices = {"auto", "lanes", "simplicial", "supernodal"},
-              .help = "what races see: lanes factors all support groups at once in vector registers, simplicial and supernodal "
+            {{.name = "method",
+              .type = OptionType::text,
+              .default_value = "auto",
+              .choices = {"auto", "lanes", "simplicial", "supernodal"},
+              .help = "what races see: lanes factors all support groups at once in vector registers, simplicial and "
+                      "supernodal "
                       "are CHOLMOD's, one group at a time; auto takes the lanes where supports rest. What is reported "
                       "always comes from CHOLMOD"}}),
       table("moves", "how single changes are priced, as annealing makes them", moves_fields()),
