@@ -36,8 +36,8 @@ double correct(const LaneView& view, const double* stiffness, Index slot, double
   Pair<G> steps = Pair<G>::all(0.0), sizes = steps;
   for (Index at = 0; at < kPair<G> * view.nodes; at += kPair<G>) {
     const Pair<G> step = Pair<G>::load(y + at), before = Pair<G>::load(u + at);
-    steps = steps + step * step;
-    sizes = sizes + before * before;
+    steps = fma(step, step, steps);
+    sizes = fma(before, before, sizes);
     (before + step).store(u + at);
   }
   double largest = 0.0;

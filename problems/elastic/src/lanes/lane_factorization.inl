@@ -29,8 +29,9 @@ void assemble(const LaneView& view, const double* stiffness) {
     const auto add = [&](Index block, const Pair<G>& rows, const Pair<G>& columns, double k) {
       double* at = view.blocks + std::size_t{kBlock<G>} * block;
       Block<G> b = Block<G>::load(at);
-      b.first = b.first + rows * both<G>(x_of<G>(columns)) * k;
-      b.second = b.second + rows * both<G>(y_of<G>(columns)) * k;
+      const Pair<G> scaled = rows * k;
+      b.first = fma(scaled, both<G>(x_of<G>(columns)), b.first);
+      b.second = fma(scaled, both<G>(y_of<G>(columns)), b.second);
       b.store(at);
     };
     add(view.begin[s.low], low, low, stiffness[e]);
@@ -56,8 +57,8 @@ struct Crossing {
     yy = both<G>(y_of<G>(y));
   }
   void take(Block<G>& b, const Block<G>& below) const {
-    b.first = b.first - below.first * xx - below.second * xy;
-    b.second = b.second - below.first * yx - below.second * yy;
+    b.first = fnma(below.second, xy, fnma(below.first, xx, b.first));
+    b.second = fnma(below.second, yy, fnma(below.first, yx, b.second));
   }
 };
 
@@ -103,7 +104,7 @@ void finish_columns(const LaneView& view) {
     for (Index p = view.begin[j] + 1; p < view.begin[j + 1]; ++p) {
       double* at = view.blocks + std::size_t{kBlock<G>} * p;
       const Block<G> a = Block<G>::load(at);
-      Block<G>{a.first * xx + a.second * xy, a.first * xy + a.second * yy}.store(at);
+      Block<G>{fma(a.second, xy, a.first * xx), fma(a.second, yy, a.first * xy)}.store(at);
     }
   }
 }
@@ -120,7 +121,7 @@ LaneFactored factorize(const LaneView& view, const double* stiffness) {
     subtract_left<G>(view, j, positions);
     const Block<G> d = Block<G>::load(at);
     const Lane<G> xx = x_of<G>(d.first), xy = y_of<G>(d.first), yy = y_of<G>(d.second);
-    const Lane<G> determinant = xx * yy - xy * xy;
+    const Lane<G> determinant = fnma(xy, xy, xx * yy);
     result.fine = xx.positive() && determinant.positive();
     if (!result.fine) result.failed = j;
     smallest = least(smallest, least(xx / x_of<G>(k.first), determinant / (xx * y_of<G>(k.second))));
@@ -134,6 +135,8 @@ LaneFactored factorize(const LaneView& view, const double* stiffness) {
   clear<G>(view, view.work);
   return result;
 }
+
+// One pass along the path from the spring's lower end to the root: lane_kernels.h has its three lines of algebra.
 template <int G>
 bool change_factor(const LaneView& view, Index spring, double change) {
   const LaneSpring& s = view.spring[spring];
@@ -151,12 +154,12 @@ bool change_factor(const LaneView& view, Index spring, double change) {
     const Pair<G> solved = inverse * x;
     const Pair<G> products = x * solved;
     reach = reach + x_of<G>(products) + y_of<G>(products);
-    sigma = one + reach * change;
+    sigma = fma(reach, delta, one);
     fine = fine & sigma.positive();
     const Pair<G> m = both<G>(delta / sigma) * solved;
     m.store(view.z + kPair<G> * j);
-    inverse.first = inverse.first - m * both<G>(x_of<G>(solved));
-    inverse.second = inverse.second - m * both<G>(y_of<G>(solved));
+    inverse.first = fnma(m, both<G>(x_of<G>(solved)), inverse.first);
+    inverse.second = fnma(m, both<G>(y_of<G>(solved)), inverse.second);
     inverse.store(diagonal);
     const Pair<G> xx = both<G>(x_of<G>(x)), xy = both<G>(y_of<G>(x));
     const Pair<G> mx = both<G>(x_of<G>(m)), my = both<G>(y_of<G>(m));
@@ -164,10 +167,10 @@ bool change_factor(const LaneView& view, Index spring, double change) {
       double* at = view.blocks + std::size_t{kBlock<G>} * p;
       double* to = w + kPair<G> * view.row[p];
       Block<G> l = Block<G>::load(at);
-      const Pair<G> left = Pair<G>::load(to) - l.first * xx - l.second * xy;
+      const Pair<G> left = fnma(l.second, xy, fnma(l.first, xx, Pair<G>::load(to)));
       left.store(to);
-      l.first = l.first + left * mx;
-      l.second = l.second + left * my;
+      l.first = fma(left, mx, l.first);
+      l.second = fma(left, my, l.second);
       l.store(at);
     }
   }
@@ -186,7 +189,7 @@ bool change_and_solve(const LaneView& view, Index spring, double change) {
 
 template <int G>
 inline bool step_of(const LaneView& view, Index spring, double change, const double* z, Lane<G>& factor) {
-  const Lane<G> sigma = Lane<G>::all(1.0) + elongation<G>(view.spring[spring], z) * change;
+  const Lane<G> sigma = fma(elongation<G>(view.spring[spring], z), Lane<G>::all(change), Lane<G>::all(1.0));
   factor = Lane<G>::all(change) / sigma;
   return sigma.positive();
 }
@@ -194,7 +197,7 @@ inline bool step_of(const LaneView& view, Index spring, double change, const dou
 template <int G>
 inline void displace_by(const LaneView& view, const Pair<G>& alpha, const double* z, double* u) {
   for (Index j = 0, at = 0; j < view.nodes; ++j, at += kPair<G>)
-    (Pair<G>::load(u + at) - alpha * Pair<G>::load(z + at)).store(u + at);
+    fnma(alpha, Pair<G>::load(z + at), Pair<G>::load(u + at)).store(u + at);
 }
 
 template <int G>

@@ -17,7 +17,7 @@ inline void eliminate(const LaneView& view, Index j, const Pair<G>& x, double* w
   for (Index p = view.begin[j] + 1; p < view.begin[j + 1]; ++p) {
     double* at = w + kPair<G> * view.row[p];
     const Block<G> l = Block<G>::load(view.blocks + std::size_t{kBlock<G>} * p);
-    (Pair<G>::load(at) - l.first * xx - l.second * xy).store(at);
+    fnma(l.second, xy, fnma(l.first, xx, Pair<G>::load(at))).store(at);
   }
 }
 
@@ -31,7 +31,7 @@ inline void eliminate_two(const LaneView& view, Index j, const Pair<G>& x, const
   for (Index p = view.begin[j + 1] + 1; p < view.begin[j + 2]; ++p, first += kBlock<G>, second += kBlock<G>) {
     double* at = w + kPair<G> * view.row[p];
     const Block<G> l = Block<G>::load(first), m = Block<G>::load(second);
-    const Pair<G> taken = l.first * xx + l.second * xy, also = m.first * nx + m.second * ny;
+    const Pair<G> taken = fma(l.second, xy, l.first * xx), also = fma(m.second, ny, m.first * nx);
     (Pair<G>::load(at) - taken - also).store(at);
   }
 }
@@ -68,16 +68,16 @@ inline Pair<G> substitute(const LaneView& view, Index j, const double* z) {
     const Pair<G> below = Pair<G>::load(z + kPair<G> * view.row[p]);
     const Pair<G> lower = Pair<G>::load(z + kPair<G> * view.row[p + 1]);
     const Block<G> a = Block<G>::load(l), b = Block<G>::load(l + kBlock<G>);
-    from_x = from_x + a.first * below;
-    from_y = from_y + a.second * below;
-    also_x = also_x + b.first * lower;
-    also_y = also_y + b.second * lower;
+    from_x = fma(a.first, below, from_x);
+    from_y = fma(a.second, below, from_y);
+    also_x = fma(b.first, lower, also_x);
+    also_y = fma(b.second, lower, also_y);
   }
   if (p < view.begin[j + 1]) {
     const Pair<G> below = Pair<G>::load(z + kPair<G> * view.row[p]);
     const Block<G> a = Block<G>::load(l);
-    from_x = from_x + a.first * below;
-    from_y = from_y + a.second * below;
+    from_x = fma(a.first, below, from_x);
+    from_y = fma(a.second, below, from_y);
   }
   return Pair<G>::load(z + kPair<G> * j) - transposed<G>(from_x + also_x, from_y + also_y);
 }
@@ -92,15 +92,15 @@ inline void substitute_two(const LaneView& view, Index j, double* z) {
   for (Index p = view.begin[j + 1] + 1; p < view.begin[j + 2]; ++p, first += kBlock<G>, second += kBlock<G>) {
     const Pair<G> below = Pair<G>::load(z + kPair<G> * view.row[p]);
     const Block<G> l = Block<G>::load(first), m = Block<G>::load(second);
-    from_x = from_x + l.first * below;
-    from_y = from_y + l.second * below;
-    next_x = next_x + m.first * below;
-    next_y = next_y + m.second * below;
+    from_x = fma(l.first, below, from_x);
+    from_y = fma(l.second, below, from_y);
+    next_x = fma(m.first, below, next_x);
+    next_y = fma(m.second, below, next_y);
   }
   const Pair<G> next = Pair<G>::load(z + kPair<G> * (j + 1)) - transposed<G>(next_x, next_y);
   next.store(z + kPair<G> * (j + 1));
   const Block<G> between = Block<G>::load(view.blocks + std::size_t{kBlock<G>} * (view.begin[j] + 1));
-  (Pair<G>::load(z + kPair<G> * j) - transposed<G>(from_x + between.first * next, from_y + between.second * next))
+  (Pair<G>::load(z + kPair<G> * j) - transposed<G>(fma(between.first, next, from_x), fma(between.second, next, from_y)))
       .store(z + kPair<G> * j);
 }
 
@@ -138,7 +138,7 @@ inline void place_spring(const LaneView& view, const LaneSpring& s, double* w) {
 template <int G>
 inline Lane<G> elongation(const LaneSpring& s, const double* u) {
   const Pair<G> d = Pair<G>::load(u + kPair<G> * s.high) - Pair<G>::load(u + kPair<G> * s.low);
-  return x_of<G>(d) * s.dx + y_of<G>(d) * s.dy;
+  return fma(y_of<G>(d), Lane<G>::all(s.dy), x_of<G>(d) * s.dx);
 }
 
 template <int G>
@@ -167,7 +167,7 @@ double squared_error(const LaneView& view, const double* u) {
   for (Index s = 0, at = 0; s < view.slots; ++s) {
     for (Index j = 0; j < view.nodes; ++j, at += kPair<G>) {
       const Pair<G> off = Pair<G>::load(u + at) - Pair<G>::load(view.reference + at);
-      sum = sum + Pair<G>::load(view.weight + kPair<G> * j) * off * off;
+      sum = fma(Pair<G>::load(view.weight + kPair<G> * j) * off, off, sum);
     }
   }
   return sum.sum();
