@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include "elastic_model.h"
+#include "displacements/elastic_model.h"
 
 namespace nodal::micro {
 

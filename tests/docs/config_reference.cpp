@@ -96,7 +96,7 @@ don't use the start.
 
 )";
 
-// Rules that no single range can express; problems/elastic/src/scene/ and body/body_options.cpp check them.
+// Rules that no single range can express; problems/elastic/src/read/ checks them.
 constexpr std::string_view kElasticRules = R"(Rules between these keys:
 
 - `body`: `size` and `corner` belong to shape `rectangle`; `radius`, `sides` and `centre` to `disc`, `ring` and

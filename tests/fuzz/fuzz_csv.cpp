@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Tables, by their own names and by a study's; the first byte says which. All fields are asked for in all ways.
-#include "files/csv.h"
 #include "fuzz_target.h"
+#include "import/csv.h"
 
 namespace {
 

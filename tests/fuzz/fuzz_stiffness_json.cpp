@@ -4,8 +4,8 @@
 
 #include <nodal/value.h>
 
-#include "files/system_json.h"
 #include "fuzz_target.h"
+#include "import/system_json.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   return nodal::fuzz::read(data, size, [](std::string_view text) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Outlines in WKT, and the check that makes bodies of them.
-#include "body/outline_check.h"
-#include "body/outline_file.h"
 #include "fuzz_target.h"
+#include "geometry/plane/outline_check.h"
+#include "import/outline_file.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   return nodal::fuzz::read(data, size, [](std::string_view text) {

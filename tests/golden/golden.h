@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-/// Golden records: what trials of the scenes gave once, kept in tests/data/golden, so that a change of the code's shape is
-/// seen to change no result.
+/// Golden records: what trials of the scenes gave once, kept in tests/data/golden, so that a change of the code's shape
+/// is seen to change no result.
 ///
-/// On the platform that a set names (instruction set of the lanes, OpenBLAS core, compiler, libraries) a trial must give
-/// its record again, to the last bit: all of it but seconds, conditions and what the trial is called by. Elsewhere the same
-/// evaluation rounds differently and an annealer's path forks; there the start, and the kept best point evaluated anew,
-/// must agree to 1e-9 of the start's value.
+/// On the platform that a set names (instruction set of the lanes, OpenBLAS core, compiler, libraries) a trial must
+/// give its record again, to the last bit: all of it but seconds, conditions and what the trial is called by. Elsewhere
+/// the same evaluation rounds differently and an annealer's path forks; there the start, and the kept best point
+/// evaluated anew, must agree to 1e-9 of the start's value.
 ///
-/// `build/release/tests/golden/print_golden tests/data/golden` writes the sets anew; say in the commit why they changed.
+/// `build/release/tests/golden/print_golden tests/data/golden` writes the sets anew; say in the commit why they
+/// changed.
 
 #include <cstdint>
 #include <string>

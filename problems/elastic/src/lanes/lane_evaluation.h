@@ -15,9 +15,9 @@
 #include <span>
 #include <vector>
 
+#include "displacements/point_derivatives.h"
 #include "lanes/lane_model.h"
 #include "lanes/lane_work.h"
-#include "point_derivatives.h"
 
 namespace nodal::elastic {
 

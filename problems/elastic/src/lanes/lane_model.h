@@ -9,7 +9,7 @@
 #include <memory>
 #include <vector>
 
-#include "elastic_model.h"
+#include "displacements/elastic_model.h"
 #include "lanes/lane_system.h"
 
 namespace nodal::elastic {

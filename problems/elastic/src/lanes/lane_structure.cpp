@@ -6,7 +6,7 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "cholesky.h"
+#include "system/factor/cholesky.h"
 
 namespace nodal::elastic {
 

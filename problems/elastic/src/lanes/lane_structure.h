@@ -15,8 +15,8 @@
 #include <vector>
 
 #include "aligned_array.h"
-#include "equilibrium.h"
 #include "lane_view.h"
+#include "system/equilibrium.h"
 
 namespace nodal::elastic {
 

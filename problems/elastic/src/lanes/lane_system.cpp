@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "full_evaluation.h"
+#include "displacements/full_evaluation.h"
 
 namespace nodal::elastic {
 

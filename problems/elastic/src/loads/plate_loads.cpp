@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "body/ties.h"
+#include "geometry/ties.h"
 #include "loads/outline_forces.h"
 
 namespace nodal::elastic {

@@ -9,9 +9,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "body/segment.h"
-#include "body/ties.h"
-#include "files/node_names.h"
+#include "geometry/plane/segment.h"
+#include "geometry/ties.h"
+#include "import/node_names.h"
 #include "loads/outline_forces.h"
 
 namespace nodal::elastic {

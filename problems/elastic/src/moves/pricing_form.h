@@ -9,7 +9,7 @@
 #include <cstddef>
 #include <span>
 
-#include "full_evaluation.h"
+#include "displacements/full_evaluation.h"
 
 namespace nodal::elastic {
 

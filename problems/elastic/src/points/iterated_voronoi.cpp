@@ -7,8 +7,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "body/segment.h"
-#include "points/voronoi_cells.h"
+#include "geometry/plane/segment.h"
+#include "geometry/plane/voronoi_cells.h"
 
 namespace nodal::elastic {
 

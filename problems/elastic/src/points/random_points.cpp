@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "points/area_sampler.h"
+#include "geometry/plane/area_sampler.h"
 
 namespace nodal::elastic {
 

@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "body/outline.h"
+#include "geometry/plane/outline.h"
 
 namespace nodal::elastic {
 

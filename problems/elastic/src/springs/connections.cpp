@@ -6,7 +6,7 @@
 #include <cmath>
 #include <map>
 
-#include "body/segment.h"
+#include "geometry/plane/segment.h"
 
 namespace nodal::elastic {
 

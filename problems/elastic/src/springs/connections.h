@@ -18,7 +18,7 @@
 
 #include <nodal/elastic/net.h>
 
-#include "body/outline.h"
+#include "geometry/plane/outline.h"
 
 namespace nodal::elastic {
 

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <nodal/elastic/stiffness.h>
+#include <nodal/file.h>
+#include <nodal/shown.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include <fmt/format.h>
+
+#include "import/system_json.h"
+
+namespace nodal::elastic {
+
+namespace {
+
+std::string name_of(const std::pair<std::int64_t, std::int64_t>& nodes) {
+  return fmt::format("spring ({}, {})", nodes.first, nodes.second);
+}
+
+double stiffness_of(const SpringEntry& entry, const std::string& name) {
+  if (!entry.stiffness) throw InputError(entry.source, name + " has no \"stiffness\"");
+  if (!(*entry.stiffness > 0.0) || !std::isnormal(*entry.stiffness))
+    throw InputError(entry.source,
+                     fmt::format("{} has stiffness {}; it must be a positive number", name, *entry.stiffness));
+  return *entry.stiffness;
+}
+
+// A system with fewer springs than the study's net, as --prune leaves it, is a net of its own.
+std::string whole_system_advice(const std::filesystem::path& path) {
+  const std::string name = shown(path.filename().string());
+  return fmt::format(
+      "; a system of its own, as after --prune, is read by points = {{ file = \"{}\" }}, springs = {{ file = \"{}\" }}",
+      name, name);
+}
+
+}  // namespace
+
+std::vector<double> read_stiffness_file(const std::filesystem::path& path, const Net& net) {
+  const SystemJson file = parse_system_json(read_file(path, "stiffness file"), path.string());
+  if (!file.has_springs)
+    throw InputError({path.string(), 0},
+                     "a stiffness file must be {\"springs\": [{\"nodes\": [i, j], \"stiffness\": k}, …]}");
+
+  std::map<std::pair<std::int64_t, std::int64_t>, std::size_t> index;
+  for (std::size_t e = 0; e < net.springs.size(); ++e)
+    index[std::minmax({net.id(net.springs[e].first), net.id(net.springs[e].second)})] = e;
+  std::vector<double> stiffness(net.springs.size(), 0.0);
+  std::vector<bool> seen(net.springs.size(), false);
+  for (const SpringEntry& entry : file.springs) {
+    const std::pair<std::int64_t, std::int64_t> nodes = std::minmax({entry.first, entry.second});
+    const std::string name = name_of(nodes);
+    const auto found = index.find(nodes);
+    if (found == index.end())
+      throw InputError(entry.source, name + " is unknown: the net has no spring between these nodes");
+    if (seen[found->second]) throw InputError(entry.source, name + " stands twice; every spring must stand once");
+    seen[found->second] = true;
+    stiffness[found->second] = stiffness_of(entry, name);
+  }
+  for (std::size_t e = 0; e < net.springs.size(); ++e)
+    if (!seen[e])
+      throw InputError({path.string(), 0},
+                       fmt::format("spring ({}, {}) is missing; every spring of the net must stand once{}",
+                                   net.id(net.springs[e].first), net.id(net.springs[e].second),
+                                   file.has_nodes ? whole_system_advice(path) : ""));
+  return stiffness;
+}
+
+}  // namespace nodal::elastic

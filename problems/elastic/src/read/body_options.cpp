@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "read/body_options.h"
+
+#include <algorithm>
+#include <numbers>
+#include <stdexcept>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "geometry/plane/outline_check.h"
+#include "import/outline_file.h"
+#include "import/table_options.h"
+
+namespace nodal::elastic {
+
+namespace {
+
+constexpr std::int64_t kDefaultSides = 64, kMostSides = 100000;
+
+// Which keys belong to which shapes; `shape`, `thickness` and `corner_turn` belong to all.
+struct ShapeKey {
+  const char* name;
+  std::vector<std::string> shapes;
+  std::vector<std::string> needed_by;
+};
+
+const std::vector<ShapeKey>& shape_keys() {
+  static const std::vector<ShapeKey> keys = {
+      {"size", {"rectangle"}, {}},
+      {"corner", {"rectangle"}, {}},
+      {"radius", {"disc", "ring", "regular"}, {"disc", "ring", "regular"}},
+      {"inner_radius", {"ring"}, {"ring"}},
+      {"sides", {"disc", "ring", "regular"}, {"regular"}},
+      {"turn", {"regular"}, {}},
+      {"centre", {"disc", "ring", "regular"}, {}},
+      {"outline", {"polygon"}, {"polygon"}},
+      {"holes", {"polygon"}, {}},
+      {"file", {"file"}, {"file"}},
+      {"scale", {"polygon", "file"}, {}},
+  };
+  return keys;
+}
+
+bool among(const std::vector<std::string>& names, const std::string& name) {
+  return std::ranges::find(names, name) != names.end();
+}
+
+std::string keys_of(const std::string& shape) {
+  std::vector<std::string> keys;
+  for (const ShapeKey& key : shape_keys())
+    if (among(key.shapes, shape)) keys.push_back(fmt::format("'{}'", key.name));
+  return keys.empty() ? fmt::format("'{}' has no keys of its own", shape)
+                      : fmt::format("'{}' has {}", shape, fmt::join(keys, ", "));
+}
+
+void check_keys(const Options& body, const std::string& shape) {
+  for (const ShapeKey& key : shape_keys()) {
+    if (body.has(key.name) && !among(key.shapes, shape))
+      throw InputError(body.at(key.name).source,
+                       fmt::format("'{}' in 'body' belongs to shape '{}', not to '{}'; {}", key.name,
+                                   fmt::join(key.shapes, "', '"), shape, keys_of(shape)));
+    if (!body.has(key.name) && among(key.needed_by, shape))
+      throw InputError(body.values().source,
+                       fmt::format("shape '{}' in 'body' needs '{}'; {}", shape, key.name, keys_of(shape)));
+  }
+}
+
+Point point_or(const Options& body, const char* key, const Point& otherwise) {
+  if (!body.has(key)) return otherwise;
+  const std::vector<double> numbers = body.numbers(key);
+  return {numbers.at(0), numbers.at(1)};
+}
+
+double number_or(const Options& body, const char* key, double otherwise) {
+  return body.has(key) ? body.number(key) : otherwise;
+}
+
+void scale_rings(const Options& body, std::vector<Ring>& rings) {
+  const double scale = number_or(body, "scale", 1.0);
+  for (Ring& ring : rings)
+    for (Point& p : ring) p = {p[0] * scale, p[1] * scale};
+}
+
+double radians(double degrees) { return degrees / 180.0 * std::numbers::pi; }
+
+// The shapes that sizes alone define. std::invalid_argument for sizes that make none.
+Body sized_body(const Options& body, const std::string& shape) {
+  if (shape == "rectangle")
+    return rectangle_body(point_or(body, "corner", {0.0, 0.0}), point_or(body, "size", {4.0, 4.0}));
+  const Point centre = point_or(body, "centre", {0.0, 0.0});
+  const double radius = body.number("radius");
+  const auto sides = static_cast<std::size_t>(body.has("sides") ? body.integer("sides") : kDefaultSides);
+  if (shape == "disc") return disc_body(centre, radius, sides);
+  if (shape == "ring") return ring_body(centre, radius, body.number("inner_radius"), sides);
+  return regular_body(centre, radius, sides, radians(number_or(body, "turn", 0.0)));
+}
+
+// The key that a size which makes no shape is blamed on.
+Source source_of_sizes(const Options& body, const std::string& shape) {
+  const char* key = shape == "rectangle" ? "size" : shape == "ring" ? "inner_radius" : "radius";
+  return body.has(key) ? body.at(key).source : body.values().source;
+}
+
+}  // namespace
+
+OptionSchema body_fields() {
+  const auto point = [](const char* name, const char* otherwise, const char* help) {
+    return Option{.name = name,
+                  .type = OptionType::number_list,
+                  .default_text = otherwise,
+                  .unit = "m",
+                  .length = 2,
+                  .help = help};
+  };
+  const auto length = [](const char* name, const char* help) {
+    return Option{.name = name,
+                  .type = OptionType::number,
+                  .default_text = "none",
+                  .unit = "m",
+                  .minimum = 0.0,
+                  .minimum_excluded = true,
+                  .help = help};
+  };
+  Option size = point("size", "[4, 4]", "of a rectangle: width and height");
+  size.minimum = 0.0;
+  size.minimum_excluded = true;
+  Option thickness = length("thickness", "thickness of the plate");
+  thickness.default_text = "";
+  thickness.default_value = 1.0;
+  return {
+      {.name = "shape",
+       .type = OptionType::text,
+       .default_text =
+           "by the keys: size makes a rectangle, outline a polygon, file a file; without any rectangle, or none where "
+           "points come from a file",
+       .choices = {"rectangle", "disc", "ring", "regular", "polygon", "file", "none"},
+       .help = "outline of the body; regular is a regular polygon, none says that only nodes are known"},
+      size,
+      point("corner", "[0, 0]", "of a rectangle: its lower left"),
+      length("radius", "of a disc, a ring (the outer one) or a regular polygon: from the centre to the vertices"),
+      length("inner_radius", "of a ring: of its hole"),
+      {.name = "sides",
+       .type = OptionType::integer,
+       .default_text = "64; of a regular polygon none",
+       .minimum = 3,
+       .maximum = static_cast<double>(kMostSides),
+       .help = "of a regular polygon, or of the inscribed one that a disc's or ring's circles are made of"},
+      {.name = "turn",
+       .type = OptionType::number,
+       .default_text = "0",
+       .unit = "°",
+       .minimum = -360.0,
+       .maximum = 360.0,
+       .help = "of a regular polygon: the direction of its first vertex"},
+      point("centre", "[0, 0]", "of a disc, ring or regular polygon"),
+      {.name = "outline",
+       .type = OptionType::point_list,
+       .default_text = "none",
+       .unit = "m",
+       .help = "of a polygon: its vertices"},
+      {.name = "holes",
+       .type = OptionType::point_lists,
+       .default_text = "none",
+       .unit = "m",
+       .help = "of a polygon: the vertices of each hole"},
+      {.name = "file",
+       .type = OptionType::text,
+       .default_text = "none",
+       .help = "relative to the study: a POLYGON in WKT (.wkt), or a Polygon in GeoJSON (.geojson, .json); metres, "
+               "unless 'scale' says otherwise"},
+      scale_option("of a polygon or a file: its coordinates"),
+      thickness,
+      {.name = "corner_turn",
+       .type = OptionType::number,
+       .default_value = 30.0,
+       .unit = "°",
+       .minimum = 0.0,
+       .maximum = 180.0,
+       .help = "an outline's vertex is a corner where the outline turns by more than this"},
+      {.name = "on_outline",
+       .type = OptionType::number,
+       .default_text = "1e-6; of nodes in a file as much as their digits leave open, up to 1e-5",
+       .minimum = kPlaceRounding,
+       .maximum = 1e-2,
+       .help = "a node is on a side, or at a corner, within this share of the body's size"},
+  };
+}
+
+namespace {
+
+// What is said, or what a key says that belongs to one shape alone: an outline makes a polygon.
+std::string shape_of(const Options& body, const std::string& default_shape) {
+  if (body.has("shape")) return body.text("shape");
+  for (const ShapeKey& key : shape_keys())
+    if (body.has(key.name) && key.shapes.size() == 1) return key.shapes.front();
+  return default_shape;
+}
+
+Body read_rings(const Options& body, const ProblemContext& context, const std::string& shape) {
+  check_keys(body, shape);
+  const double thickness = body.number("thickness"), corner_turn = radians(body.number("corner_turn"));
+  if (shape == "none") return {.name = "none", .rings = {}, .thickness = thickness, .corner_turn = corner_turn};
+  if (shape == "file") {
+    const std::filesystem::path file = body.text("file");
+    FileOutline outline = read_outline_file(context.directory / file);
+    scale_rings(body, outline.rings);
+    Body read =
+        checked_body(std::move(outline.rings), file.filename().string(), thickness, corner_turn, outline.source);
+    read.remarks.insert(read.remarks.begin(), outline.remarks.begin(), outline.remarks.end());
+    return read;
+  }
+  if (shape == "polygon") {
+    std::vector<Ring> rings = {body.points("outline")};
+    if (body.has("holes"))
+      for (Ring& hole : body.point_lists("holes")) rings.push_back(std::move(hole));
+    scale_rings(body, rings);
+    const std::size_t holes = rings.size() - 1;
+    Body polygon = checked_body(std::move(rings), "polygon", thickness, corner_turn, body.at("outline").source);
+    polygon.name = fmt::format("polygon of {} sides", polygon.rings[0].size());
+    if (holes > 0) polygon.name += fmt::format(" with {} hole{}", holes, holes == 1 ? "" : "s");
+    return polygon;
+  }
+  const Source source = source_of_sizes(body, shape);
+  try {
+    Body sized = sized_body(body, shape);
+    return checked_body(std::move(sized.rings), std::move(sized.name), thickness, corner_turn, source);
+  } catch (const std::invalid_argument& error) {
+    throw InputError(source, error.what());
+  }
+}
+
+}  // namespace
+
+Body read_body(const Options& body, const ProblemContext& context, const std::string& default_shape) {
+  Body read = read_rings(body, context, shape_of(body, default_shape));
+  read.on_outline = number_or(body, "on_outline", kOnOutline);
+  return read;
+}
+
+}  // namespace nodal::elastic

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "read/read_bounds.h"
+
+#include <nodal/elastic/stiffness.h>
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "starts/stiffness_bounds.h"
+
+namespace nodal::elastic {
+
+namespace {
+
+std::array<double, 2> times(const std::array<double, 2>& bounds, double unit, const Source& source, const char* what) {
+  const std::array<double, 2> scaled = {bounds[0] * unit, bounds[1] * unit};
+  if (!std::isnormal(scaled[0]) || !std::isnormal(scaled[1]))
+    throw InputError(source, fmt::format("'bounds' × {} leaves the range of double precision", what));
+  return scaled;
+}
+
+std::array<double, 2> of_study(const Options& springs) {
+  const std::vector<double> bounds = springs.numbers("bounds");
+  if (!(0.0 < bounds[0] && bounds[0] < bounds[1]))
+    throw InputError(
+        springs.at("bounds").source,
+        fmt::format("'bounds' is [{}, {}]; it must be [lower, upper] with 0 < lower < upper", bounds[0], bounds[1]));
+  return {bounds[0], bounds[1]};
+}
+
+double geometric_mean(const std::vector<double>& stiffness) {
+  double sum = 0.0;
+  for (const double k : stiffness) sum += std::log(k);
+  return std::exp(sum / static_cast<double>(stiffness.size()));
+}
+
+// What springs from a file have, about; and in words.
+std::pair<double, std::string> typical(const Options& springs, const ProblemContext& context, const StudyNet& study,
+                                       BestPaperStart& paper, const Scene& scene) {
+  if (!study.stiffness.empty()) return {geometric_mean(study.stiffness), "the springs' stiffnesses"};
+  if (springs.has("initial") && springs.at("initial").is_table())
+    if (const Options start(springs.at("initial")); start.has("file"))
+      return {geometric_mean(read_stiffness_file(context.directory / start.text("file"), scene.net)),
+              "the start's stiffnesses"};
+  return {geometric_mean(paper.of(scene).stiffness), "the start by 'paper' at its best factor"};
+}
+
+}  // namespace
+
+void read_bounds(const Options& springs, const ProblemContext& context, const StudyNet& study, BestPaperStart& paper,
+                 Scene& scene) {
+  const bool own = springs.has("file");
+  const bool given = springs.has("bounds");
+  const Source& source = given ? springs.at("bounds").source : springs.values().source;
+  if (given || !own) {
+    const std::array<double, 2> bounds = given ? of_study(springs) : kDefaultBounds;
+    scene.stiffness_bounds =
+        times(bounds, scene.material.young * scene.net.body.thickness, source, "young × thickness");
+    scene.bounds_origin = fmt::format("[{}, {}] × young × thickness", bounds[0], bounds[1]);
+    return;
+  }
+  if (study.bounds) {
+    scene.stiffness_bounds = *study.bounds;
+    scene.bounds_origin = "as the file of springs says";
+    return;
+  }
+  const auto [typical_stiffness, of_what] = typical(springs, context, study, paper, scene);
+  scene.stiffness_bounds = times(kDefaultBounds, typical_stiffness, source, "the springs' stiffnesses");
+  scene.bounds_origin =
+      fmt::format("[{}, {}] × the geometric mean of {}", kDefaultBounds[0], kDefaultBounds[1], of_what);
+}
+
+}  // namespace nodal::elastic

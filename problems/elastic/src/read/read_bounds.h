@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+/// Within which bounds a study's stiffnesses are searched, and who chose them.
+///
+///     the study's `bounds` × young × thickness, where it gives them;
+///     of a body's net   [1e-4, 1e2] × young × thickness;
+///     of springs from a file, which needn't have a material,
+///         those that the file says (a system file that a fit has written);
+///         else [1e-4, 1e2] × the geometric mean of the stiffnesses that their file or that of their start says;
+///         else [1e-4, 1e2] × the geometric mean of the start by `paper` at its best factor.
+
+#include <nodal/elastic/elastic_problem.h>
+
+#include "read/read_net.h"
+#include "starts/paper_start.h"
+
+namespace nodal::elastic {
+
+/// Fills bounds and their origin in a scene whose net, loads and material are there. InputError for bounds that are
+/// none.
+void read_bounds(const Options& springs, const ProblemContext& context, const StudyNet& study, BestPaperStart& paper,
+                 Scene& scene);
+
+}  // namespace nodal::elastic

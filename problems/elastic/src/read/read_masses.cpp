@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "read/read_masses.h"
+
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "geometry/plane/voronoi_cells.h"
+#include "masses/masses.h"
+#include "triangulation/triangulation.h"
+
+namespace nodal::elastic {
+
+namespace {
+
+constexpr double kDensity = 1.0;  // [kg/m³]
+
+// Mass of each node's Voronoi region; the regions are kept for pictures.
+std::vector<double> region_masses(double density, Net& net) {
+  const Outline outline(net.body);
+  VoronoiCells cells(outline, {});
+  cells.compute(net.nodes);
+  std::vector<double> masses;
+  for (const CellSums& cell : cells.cells()) masses.push_back(density * net.body.thickness * cell.area);
+  if (net.cells.empty())
+    for (std::size_t i = 0; i < net.nodes.size(); ++i) net.cells.push_back(cells.rings(i));
+  return masses;
+}
+
+Value report(const std::string& form, const Masses& masses) {
+  Value table;
+  table.set("form", form);
+  table.set("smallest", masses.smallest);
+  table.set("rank", Value(static_cast<std::int64_t>(masses.rank)));
+  Value errors;
+  for (const MomentError& moment : masses.moments) errors.set(moment.name, moment.relative);
+  table.set("moment_errors", std::move(errors));
+  table.set("message", masses.message);
+  return table;
+}
+
+// A key that the form doesn't use would be said in vain.
+void refuse_foreign_keys(const Options& masses, const std::string& form) {
+  const auto refuse = [&](const char* key, const char* forms) {
+    throw InputError(masses.at(key).source,
+                     fmt::format("'{}' in 'masses' belongs to form {}, and this one is '{}'", key, forms, form));
+  };
+  if (form == "none" && masses.number("density") != kDensity) refuse("density", "'least-norm' or 'positive'");
+  if (form != "positive" && masses.number("least_share") != kSmallestMassShare) refuse("least_share", "'positive'");
+}
+
+}  // namespace
+
+OptionSchema masses_fields() {
+  return {
+      {.name = "form",
+       .type = OptionType::text,
+       .default_value = "none",
+       .choices = {"none", "least-norm", "positive"},
+       .help = "none: equilibria need no masses; least-norm: the body's moments up to order two with the least Σ m², "
+               "masses may be negative; positive: the masses nearest to those of the Voronoi regions that have the "
+               "moments (needs CGAL)"},
+      {.name = "density",
+       .default_value = kDensity,
+       .unit = "kg/m³",
+       .minimum = 0.0,
+       .minimum_excluded = true,
+       .help = "of the body"},
+      {.name = "least_share",
+       .default_value = kSmallestMassShare,
+       .minimum = 0.0,
+       .maximum = 1.0,
+       .help = "positive: no mass is less than this share of its Voronoi region's"},
+  };
+}
+
+Value read_masses(const Options& masses, Net& net) {
+  const std::string& form = masses.text("form");
+  refuse_foreign_keys(masses, form);
+  if (form == "none") return {};
+  const Source& source = masses.at("form").source;
+  if (!net.body.has_outline())
+    throw InputError(
+        source,
+        "masses need a body with an outline, and this one has none; describe it, as by body = { size = [4, 4] }");
+  if (form == "positive" && !triangulation_available())
+    throw InputError(source, fmt::format("positive masses need {}", triangulation_library()));
+  try {
+    const double density = masses.number("density");
+    const MassTarget target = mass_target(net.body, density);
+    const Masses found = form == "least-norm" ? least_norm_masses(net.nodes, target)
+                                              : positive_masses(net.nodes, target, region_masses(density, net),
+                                                                masses.number("least_share"));
+    if (form == "positive" && found.outcome == MassOutcome::infeasible)
+      throw InputError(source,
+                       fmt::format("{}; take masses = {{ form = \"least-norm\" }}, or other points", found.message));
+    net.masses = found.masses;
+    return report(form, found);
+  } catch (const std::invalid_argument& error) {
+    throw InputError(source, error.what());
+  }
+}
+
+}  // namespace nodal::elastic

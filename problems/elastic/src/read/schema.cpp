@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <nodal/elastic/elastic_problem.h>
+#include <nodal/provenance.h>
+
+#include <fmt/format.h>
+
+#include "import/table_options.h"
+#include "read/body_options.h"
+#include "read/read_masses.h"
+#include "read/read_parameters.h"
+#include "read/read_points.h"
+#include "read/study_loads.h"
+#include "starts/stiffness_bounds.h"
+#include "system/factor/cholesky.h"
+#include "triangulation/triangulation.h"
+
+namespace nodal {
+
+namespace elastic {
+
+namespace {
+
+OptionSchema material_fields() {
+  return {
+      {.name = "young",
+       .type = OptionType::number,
+       .default_value = 1.0,
+       .unit = "Pa",
+       .minimum = 0.0,
+       .minimum_excluded = true,
+       .help = "Young's modulus E"},
+      {.name = "poisson",
+       .type = OptionType::number,
+       .default_value = 0.3,
+       .minimum = -1.0,
+       .maximum = 0.5,
+       .minimum_excluded = true,
+       .maximum_excluded = true,
+       .help = "Poisson's ratio ν; at most 0.4999 in plane strain"},
+      {.name = "plane",
+       .type = OptionType::text,
+       .default_value = "stress",
+       .choices = {"stress", "strain"},
+       .help = "plane stress or plane strain"},
+  };
+}
+
+OptionSchema initial_fields() {
+  return {
+      {.name = "rule",
+       .type = OptionType::text,
+       .choices = {"paper", "area", "lattice", "energy"},
+       .help = "one of the rules"},
+      {.name = "scale",
+       .type = OptionType::text,
+       .choices = {"best"},
+       .help = "best: times the single factor that makes the error least"},
+      {.name = "file",
+       .type = OptionType::text,
+       .help = "a stiffness file, relative to the study; outside the bounds it can be evaluated, but not fitted"},
+  };
+}
+
+OptionSchema springs_fields() {
+  return {
+      {.name = "file",
+       .type = OptionType::text,
+       .help = "springs of your own: CSV with columns first, second (the nodes) and if you like stiffness, group; or a "
+               "system file"},
+      columns_option({"first", "second", "stiffness", "length", "group"}),
+      {.name = "topology",
+       .type = OptionType::text,
+       .default_text = "crossed on a grid, triangular on a triangular one, else delaunay",
+       .help = "single, alternating or crossed for grids (grid, without diagonals, is refused as a mechanism), "
+               "triangular; for any "
+               "points delaunay, delaunay-flip, voronoi-neighbours (all three need CGAL), nearest"},
+      {.name = "nearest",
+       .type = OptionType::integer,
+       .default_text = "6",
+       .minimum = 1,
+       .maximum = 1000,
+       .help = "of topology nearest: with how many of its nearest nodes each is joined"},
+      parameters_option(),
+      {.name = "initial",
+       .type = OptionType::text,
+       .default_text = "a file of springs' stiffnesses; else paper, off the paper's own plate (cells of 1 m × 1 m) "
+                       "times its best factor",
+       .choices = {"paper", "area", "lattice", "energy"},
+       .help =
+           "rule of the start: paper k = E t s0/4; area (Van Gelder); lattice, exact at ν = 1/3; energy, the minimiser "
+           "of a convex energy; or a table with 'rule' and 'scale', or with 'file'",
+       .fields = initial_fields(),
+       .or_table = true},
+      {.name = "bounds",
+       .type = OptionType::number_list,
+       .default_text =
+           fmt::format("[{}, {}]; with a file of springs those of the file, or that times the geometric mean "
+                       "of its stiffnesses, or of the start at its best factor [N/m]",
+                       kDefaultBounds[0], kDefaultBounds[1]),
+       .unit = "young × thickness",
+       .minimum = 0.0,
+       .minimum_excluded = true,
+       .length = 2,
+       .help = "lowest and highest stiffness of a spring"},
+  };
+}
+
+OptionSchema moves_fields() {
+  return {
+      {.name = "form",
+       .type = OptionType::text,
+       .default_value = "auto",
+       .choices = {"auto", "eager", "lazy", "refactor", "updown", "full"},
+       .help =
+           "auto chooses by size and by how much is accepted, and changes its mind; eager keeps a price list of all "
+           "springs, lazy solves for each proposal, refactor factors for each (all three for all support groups at "
+           "once), updown keeps the list by CHOLMOD's updates, full evaluates each proposal by CHOLMOD"},
+      {.name = "instructions",
+       .type = OptionType::text,
+       .default_value = "auto",
+       .choices = {"auto", "generic", "sse2", "avx2", "avx512"},
+       .help = "of the vector kernels; auto takes the widest that the processor has"},
+  };
+}
+
+OptionSchema weight_fields() {
+  const auto weight = [](const char* name, double value, const char* help) {
+    return Option{.name = name, .type = OptionType::number, .default_value = value, .minimum = 0.0, .help = help};
+  };
+  return {weight("inner", 1.0, "of inner nodes"), weight("border", 3.0, "of nodes on the border, corners apart"),
+          weight("corner", 15.0, "of corners")};
+}
+
+Option table(const char* name, const char* help, OptionSchema fields) {
+  return {.name = name, .type = OptionType::table, .default_value = Value(), .help = help, .fields = std::move(fields)};
+}
+
+}  // namespace
+
+OptionSchema elastic_schema() {
+  return {
+      table("body", "what is approximated", body_fields()),
+      table("material", "linear elastic, isotropic, homogeneous", material_fields()),
+      table("points", "where the nodes are", points_fields()),
+      table("masses", "how heavy the nodes are", masses_fields()),
+      table("springs", "which nodes are joined, what is free, where it starts", springs_fields()),
+      table("loads", "forces and supports", loads_fields()),
+      table("reference", "the displacements to be matched", reference_fields()),
+      table("quality", "how displacements are compared: G of eq. (12)",
+            {table("weights", "of squared differences", weight_fields())}),
+      table("equilibrium", "how equilibria are solved",
+            {{.name = "method",
+              .type = OptionType::text,
+              .default_value = "auto",
+              .choices = {"auto", "lanes", "simplicial", "supernodal"},
+              .help = "what races see: lanes factors all support groups at once in vector registers, simplicial and "
+                      "supernodal "
+                      "are CHOLMOD's, one group at a time; auto takes the lanes where supports rest. What is reported "
+                      "always comes from CHOLMOD"}}),
+      table("moves", "how single changes are priced, as annealing makes them", moves_fields()),
+  };
+}
+
+}  // namespace elastic
+
+void register_elastic(Registry& registry) {
+  add_library_version("BLAS", elastic::blas_library());
+  add_library_version("CHOLMOD", elastic::cholmod_version());
+  if (elastic::triangulation_available()) add_library_version("CGAL", elastic::triangulation_library());
+  registry.add(ProblemDescription{
+      .kind = "elastic",
+      .summary = "spring stiffnesses with which a net deforms like an elastic plate",
+      .reference = "O. Deussen, L. Kobbelt, P. Tücke, Using Simulated Annealing to Obtain Good Nodal Approximations of "
+                   "Deformable Bodies, 1995",
+      .options = elastic::elastic_schema(),
+      .make = [](const Options& options, const ProblemContext& context) -> std::shared_ptr<const Problem> {
+        return std::make_shared<elastic::ElasticProblem>(elastic::make_scene(options, context));
+      }});
+}
+
+}  // namespace nodal

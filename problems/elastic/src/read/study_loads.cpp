@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "read/study_loads.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "import/displacement_file.h"
+#include "loads/own_loads.h"
+
+namespace nodal::elastic {
+
+namespace {
+
+void refuse_key(const Options& table, const char* key, const char* instead) {
+  if (table.has(key))
+    throw InputError(table.at(key).source, fmt::format("'{}' belongs to the plate's loads, and this study has cases of "
+                                                       "its own; {}",
+                                                       key, instead));
+}
+
+LoadSet read_plate_loads(const Options& loads, Scene& scene) {
+  if (loads.has("stress")) scene.stress = loads.number("stress");
+  if (scene.stress == 0.0)
+    throw InputError(loads.at("stress").source,
+                     "'stress' is 0: the reference displacement is zero everywhere, so there is nothing to fit");
+  const bool chosen = !loads.has("supports");
+  const bool minimal = chosen ? !has_edges_to_hold(scene.net) : loads.text("supports") == "minimal";
+  try {
+    LoadSet set =
+        make_plate_loads(scene.net, scene.material, scene.stress, minimal ? SupportStyle::minimal : SupportStyle::edge);
+    if (chosen)
+      scene.supports_choice =
+          minimal
+              ? "supports = \"minimal\": the body has no straight edges on its left and lower side, as \"edge\" holds"
+              : "supports = \"edge\"";
+    return set;
+  } catch (const std::invalid_argument& error) {
+    const auto& outlines = scene.net.outlines;
+    const bool bare = std::ranges::any_of(outlines, [](const auto& nodes) { return nodes.size() < 2; });
+    const char* advice =
+        outlines.empty() ? "describe it, as by body = { size = [4, 4] }"
+        : bare
+            ? "choose points of which some lie on each outline, as springs = { topology = \"delaunay\" } has for any "
+              "grid"
+            : "take loads = { supports = \"minimal\" }";
+    throw InputError(
+        loads.values().source,
+        fmt::format("{}; {}, or describe loads of your own by [[problem.loads.cases]]", error.what(), advice));
+  }
+}
+
+// Each case in a group of its own: the reference decides which go together.
+LoadSet from_cases(const std::vector<OwnCase>& cases) {
+  LoadSet set;
+  for (const OwnCase& one : cases) {
+    set.loads.push_back({one.name, set.groups.size(), one.forces, std::vector<double>(one.forces.size(), 0.0)});
+    set.groups.push_back({one.supports});
+  }
+  return set;
+}
+
+// Holds freedoms where the reference says that they went.
+void hold_as_measured(const OwnCase& one, const MeasuredLoad& measured, const Net& net, SupportGroup& group) {
+  for (Support& support : group.supports) {
+    const std::size_t freedom = 2 * support.node + support.axis;
+    if (!std::ranges::binary_search(one.held_as_measured, freedom)) continue;
+    if (!(measured.weights[freedom] > 0.0))
+      throw InputError(one.source,
+                       fmt::format("node {} is to be held as measured, but the reference has no {} of it in "
+                                   "load '{}'",
+                                   net.id(support.node), support.axis == 0 ? "ux" : "uy", one.name));
+    support.value = measured.displacement[freedom];
+  }
+}
+
+// Takes the reference from measurements. Loads then go together that share supports and what is known of them.
+void apply_measurements(const std::vector<MeasuredLoad>& measured, LoadSet& set) {
+  LoadSet grouped;
+  for (std::size_t l = 0; l < set.loads.size(); ++l) {
+    LoadCase load = std::move(set.loads[l]);
+    SupportGroup group = set.groups[load.group];
+    load.reference = measured[l].displacement;
+    // A freedom that is held is where it is held: what was measured there says nothing about springs.
+    for (const Support& s : group.supports) load.reference[2 * s.node + s.axis] = s.value;
+    const bool complete = std::ranges::all_of(measured[l].weights, [](double w) { return w == 1.0; });
+    if (!complete) group.weights = measured[l].weights;
+    const auto same = std::ranges::find_if(grouped.groups, [&](const SupportGroup& g) {
+      return g.supports == group.supports && g.weights == group.weights;
+    });
+    load.group = static_cast<std::size_t>(same - grouped.groups.begin());
+    if (same == grouped.groups.end()) grouped.groups.push_back(std::move(group));
+    grouped.loads.push_back(std::move(load));
+  }
+  set = std::move(grouped);
+}
+
+// Without a reference a study can be solved, but nothing fitted. Loads go together as if all were known.
+void only_solved(const std::vector<OwnCase>& cases, const Source& source, Scene& scene) {
+  for (const OwnCase& one : cases)
+    if (!one.held_as_measured.empty())
+      throw InputError(one.source,
+                       fmt::format("load '{}' holds nodes as measured, and nothing says how they went; give "
+                                   "reference = {{ file = \"displacements.csv\" }}, or a 'displacement'",
+                                   one.name));
+  scene.has_reference = false;
+  scene.fit_refusal = InputError(source,
+                                 "cases of your own need reference = { file = \"displacements.csv\" }, the "
+                                 "displacements to be matched: a closed form is known for the plate's loads only")
+                          .what();
+  const std::vector<double> zero(2 * scene.net.nodes.size(), 0.0), all(zero.size(), 1.0);
+  apply_measurements(std::vector<MeasuredLoad>(cases.size(), {zero, all}), scene.loads);
+}
+
+bool moves(const LoadCase& load, const SupportGroup& group) {
+  std::vector<bool> held(load.forces.size(), false);
+  for (const Support& s : group.supports) {
+    if (s.value != 0.0) return true;
+    held[2 * s.node + s.axis] = true;
+  }
+  for (std::size_t f = 0; f < held.size(); ++f)
+    if (!held[f] && load.forces[f] != 0.0) return true;
+  return false;
+}
+
+// Supports bear what pulls at them, and no spring feels it: such a load is the same at all stiffnesses.
+void tell_of_idle_loads(const std::vector<OwnCase>& cases, Scene& scene) {
+  for (std::size_t l = 0; l < cases.size(); ++l) {
+    const OwnCase& one = cases[l];
+    const LoadCase& load = scene.loads.loads[l];
+    if (moves(load, scene.loads.groups[load.group])) {
+      for (const std::string& idle : one.idle)
+        scene.findings.push_back(
+            fmt::format("load '{}': {}, but only where supports hold: they bear all of it, and nothing moves by it",
+                        one.name, idle));
+      continue;
+    }
+    const bool pulled = std::ranges::any_of(load.forces, [](double f) { return f != 0.0; });
+    const std::string why = fmt::format(
+        "nothing moves in load '{}': {}", one.name,
+        !pulled            ? "its supports are held as measured, which is at rest, and nothing pulls"
+        : one.idle.empty() ? "what pulls acts only where supports hold, and they bear all of it"
+                           : fmt::format("what pulls acts only where supports hold, and they bear all of it ({})",
+                                         fmt::join(one.idle, "; ")));
+    if (!scene.has_reference) {
+      scene.findings.push_back(why + "; all displacements and spring forces are 0");
+      continue;
+    }
+    throw InputError(one.source, why +
+                                     ", so no stiffness can fit its reference; pull at nodes that are free to move, or "
+                                     "leave the load out");
+  }
+}
+
+std::string summary(const std::string& file, const std::vector<MeasuredLoad>& measured) {
+  std::size_t known = 0, all = 0;
+  for (const MeasuredLoad& load : measured) {
+    all += load.weights.size();
+    known += static_cast<std::size_t>(std::ranges::count_if(load.weights, [](double w) { return w > 0.0; }));
+  }
+  return fmt::format("{}: {} of {} displacements of {} load{}", file, known, all, measured.size(),
+                     measured.size() == 1 ? "" : "s");
+}
+
+// A line per load: what its selections took.
+std::vector<std::string> selections_of(const std::vector<OwnCase>& cases) {
+  constexpr std::size_t kListed = 12;
+  std::vector<std::string> lines;
+  for (const OwnCase& one : cases) {
+    const std::size_t listed = std::min(one.selections.size(), kListed);
+    std::string line = fmt::format(
+        "load '{}': {}", one.name,
+        fmt::join(one.selections.begin(), one.selections.begin() + static_cast<std::ptrdiff_t>(listed), "; "));
+    if (one.selections.size() > listed) line += fmt::format("; and {} more selections", one.selections.size() - listed);
+    lines.push_back(std::move(line));
+  }
+  return lines;
+}
+
+}  // namespace
+
+OptionSchema loads_fields() {
+  return {
+      {.name = "set",
+       .type = OptionType::text,
+       .default_text = "own when there are cases, else plate",
+       .choices = {"plate", "own"},
+       .help = "plate: the paper's two stretches and two shears; own: the cases below"},
+      {.name = "stress",
+       .type = OptionType::number,
+       .default_text = "1",
+       .unit = "Pa",
+       .help = "of the plate set; not 0"},
+      {.name = "supports",
+       .type = OptionType::text,
+       .default_text = "edge where the body has straight edges to hold, else minimal",
+       .choices = {"edge", "minimal"},
+       .help =
+           "of the plate set. edge: each load holds a straight edge of the body (Figure 4); minimal: three balanced "
+           "loads, rigid motions held (Figure 5)"},
+      {.name = "cases",
+       .type = OptionType::table_list,
+       .help = "load cases of your own; to be fitted they need reference.file",
+       .fields = case_fields()},
+  };
+}
+
+OptionSchema reference_fields() {
+  return {
+      {.name = "method",
+       .type = OptionType::text,
+       .default_value = "auto",
+       .choices = {"auto", "analytic", "file"},
+       .help = "auto takes the file where one is given, else the closed form, which is exact for the plate's loads on "
+               "any homogeneous body"},
+      {.name = "file",
+       .type = OptionType::text,
+       .help = "measured displacements: CSV with columns load, node (or x, y), ux, uy, weight"},
+      columns_option({"load", "node", "x", "y", "ux", "uy", "weight"}),
+      scale_option("the file's displacements and places"),
+  };
+}
+
+void read_loads(const Options& problem, const ProblemContext& context, Scene& scene) {
+  const Options loads = problem.table("loads"), reference = problem.table("reference");
+  const bool own = loads.has("set") ? loads.text("set") == "own" : loads.has("cases");
+  std::vector<OwnCase> cases;
+  if (own) {
+    if (!loads.has("cases") || loads.tables("cases").empty())
+      throw InputError(loads.values().source, "set = \"own\" needs load cases, each under [[problem.loads.cases]]");
+    refuse_key(loads, "stress", "give each case tractions = [{ edge = \"right\", traction = [tx, ty] }]");
+    refuse_key(loads, "supports", "give each case supports = [{ edge = \"left\" }]");
+    cases = read_own_cases(loads.tables("cases"), scene.net);
+    scene.loads = from_cases(cases);
+    scene.selections = selections_of(cases);
+  } else {
+    if (loads.has("cases"))
+      throw InputError(loads.at("cases").source, "set = \"plate\" has no cases of its own; leave 'set' out");
+    scene.loads = read_plate_loads(loads, scene);
+  }
+
+  const std::string& method = reference.text("method");
+  if (method == "analytic" && reference.has("file"))
+    throw InputError(reference.at("file").source, "method = \"analytic\" takes no file; leave 'method' out");
+  if (!reference.has("file")) {
+    for (const char* key : {"columns", "scale"})
+      if (reference.has(key))
+        throw InputError(reference.at(key).source, fmt::format("'{}' in 'reference' belongs to a 'file'", key));
+    if (method == "file")
+      throw InputError(reference.values().source,
+                       "method = \"file\" needs a file: reference = { file = \"displacements.csv\" }");
+    if (own) only_solved(cases, reference.values().source, scene);
+    tell_of_idle_loads(cases, scene);
+    return;
+  }
+  std::vector<std::string> names;
+  for (const LoadCase& load : scene.loads.loads) names.push_back(load.name);
+  const std::vector<MeasuredLoad> measured = read_displacement_file(context.directory / reference.text("file"),
+                                                                    scene.net, names, read_table_options(reference));
+  for (std::size_t l = 0; l < cases.size(); ++l)
+    hold_as_measured(cases[l], measured[l], scene.net, scene.loads.groups[l]);
+  apply_measurements(measured, scene.loads);
+  tell_of_idle_loads(cases, scene);
+  scene.measured_reference = summary(reference.text("file"), measured);
+}
+
+}  // namespace nodal::elastic
