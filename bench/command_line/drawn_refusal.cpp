@@ -20,7 +20,7 @@ report::Mechanism drawn(const elastic::MechanismError& error, const std::string&
   report::Mechanism mechanism;
   mechanism.title = std::filesystem::path(study).stem().string() + ": a mechanism";
   mechanism.text = error.what();
-  mechanism.nodes = error.net.nodes;
+  mechanism.nodes = elastic::in_plane(error.net.nodes);
   for (const elastic::Spring& s : error.net.springs) mechanism.springs.push_back({s.first, s.second});
   for (std::size_t i = 0; i < error.net.nodes.size(); ++i)
     mechanism.motion.push_back({error.motion[2 * i], error.motion[2 * i + 1]});

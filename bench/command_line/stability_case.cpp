@@ -122,7 +122,7 @@ std::size_t index(double number, std::size_t count, const Reading& reading, cons
 }
 
 void aim(elastic::Spring& spring, const elastic::Net& net) {
-  const elastic::Point &a = net.nodes[spring.first], &b = net.nodes[spring.second];
+  const elastic::Vector &a = net.nodes[spring.first], &b = net.nodes[spring.second];
   spring.length = std::hypot(b[0] - a[0], b[1] - a[1]);
   spring.direction = {(b[0] - a[0]) / spring.length, (b[1] - a[1]) / spring.length};
 }
@@ -185,7 +185,8 @@ Scene scene_of(const Reading& reading, const Registry& registry) {
   if (!o.boolean("supported"))
     for (elastic::SupportGroup& group : scene.loads.groups) group.supports.clear();
   if (o.has("stretch")) {
-    for (elastic::Point& p : scene.net.nodes) p = {p[0] * o.numbers("stretch")[0], p[1] * o.numbers("stretch")[1]};
+    for (elastic::Vector& p : scene.net.nodes)
+      p = {p[0] * o.numbers("stretch")[0], p[1] * o.numbers("stretch")[1], 0.0};
     for (elastic::Spring& spring : scene.net.springs) aim(spring, scene.net);
   }
   return scene;
@@ -206,7 +207,7 @@ bool concerns(const Options& which, const elastic::Net& net, const elastic::Spri
   }
   if (!which.has("within")) return true;
   const std::vector<double> box = which.numbers("within");
-  return std::ranges::all_of(std::array{net.nodes[s.first], net.nodes[s.second]}, [&](const elastic::Point& p) {
+  return std::ranges::all_of(std::array{net.nodes[s.first], net.nodes[s.second]}, [&](const elastic::Vector& p) {
     return box[0] <= p[0] && p[0] <= box[2] && box[1] <= p[1] && p[1] <= box[3];
   });
 }

@@ -46,7 +46,7 @@ PlateNodeKind kind_of(elastic::NodeKind kind) {
 
 Plate make_net(const elastic::Net& net, std::span<const double> stiffness) {
   Plate plate;
-  plate.nodes = net.nodes;
+  plate.nodes = elastic::in_plane(net.nodes);
   for (std::size_t e = 0; e < stiffness.size(); ++e)
     plate.springs.push_back({net.springs[e].first, net.springs[e].second, stiffness[e]});
   plate.columns = net.grid.columns;

@@ -19,12 +19,14 @@ constexpr std::size_t kMostNames = 12;
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 std::size_t count_measured(const Scene& scene) {
+  const Freedoms freedoms = scene.net.freedoms();
   std::size_t measured = 0;
   for (const LoadCase& load : scene.loads.loads) {
     const SupportGroup& group = scene.loads.groups[load.group];
     for (std::size_t f = 0; f < load.reference.size(); ++f)
-      measured += scene.weight_of(f / 2) * group.weight(f) > 0.0 &&
-                  std::ranges::none_of(group.supports, [f](const Support& s) { return 2 * s.node + s.axis == f; });
+      measured +=
+          scene.weight_of(freedoms.node_of(f)) * group.weight(f) > 0.0 &&
+          std::ranges::none_of(group.supports, [&](const Support& s) { return freedoms.at(s.node, s.axis) == f; });
   }
   return measured;
 }

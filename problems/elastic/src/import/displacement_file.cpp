@@ -27,12 +27,12 @@ constexpr double kSamePlace = 1e-6;
 class NodePlaces {
  public:
   explicit NodePlaces(const Net& net)
-      : net_(net), order_(net.nodes.size()), slack_(kSamePlace * bounding_box(net.nodes).size()) {
+      : net_(net), order_(net.nodes.size()), slack_(kSamePlace * extent_of(net.nodes).size()) {
     std::iota(order_.begin(), order_.end(), std::size_t{0});
     std::ranges::sort(order_, {}, [&](std::size_t i) { return net.nodes[i]; });
   }
 
-  std::size_t find(const Point& p, const Source& source) const {
+  std::size_t find(const Vector& p, const Source& source) const {
     const auto x = [&](std::size_t i) { return net_.nodes[i][0]; };
     for (auto at = std::ranges::lower_bound(order_, p[0] - slack_, {}, x);
          at != order_.end() && x(*at) <= p[0] + slack_; ++at)
@@ -66,19 +66,19 @@ std::size_t load_of(const CsvRow& row, bool named, const std::vector<std::string
   return static_cast<std::size_t>(found - loads.begin());
 }
 
-void take(const CsvRow& row, double scale, std::size_t node, MeasuredLoad& load) {
+void take(const CsvRow& row, double scale, const Freedoms& freedoms, std::size_t node, MeasuredLoad& load) {
   const double weight = row.number("weight").value_or(1.0);
   if (!(weight >= 0.0)) throw InputError(row.source(), fmt::format("'weight' is {}; it must be ≥ 0", weight));
-  const char* axes[] = {"ux", "uy"};
-  for (std::size_t axis = 0; axis < 2; ++axis) {
+  const char* axes[] = {"ux", "uy", "uz"};
+  for (std::size_t axis = 0; axis < freedoms.dimension; ++axis) {
     const std::optional<double> u = row.measured(axes[axis]);
     if (!u) continue;
     const double metres = *u * scale;
     if (!std::isfinite(metres))
       throw InputError(row.source(),
                        fmt::format("'{}' times 'scale' leaves the range of double precision", axes[axis]));
-    load.displacement[2 * node + axis] = metres;
-    load.weights[2 * node + axis] = weight;
+    load.displacement[freedoms.at(node, axis)] = metres;
+    load.weights[freedoms.at(node, axis)] = weight;
   }
 }
 
@@ -102,7 +102,7 @@ std::vector<MeasuredLoad> read_displacement_file(const std::filesystem::path& pa
     throw InputError({path.string(), 1}, "the columns must have either 'node', or both 'x' and 'y'");
   const NodeNames names(net);
   const NodePlaces places(net);
-  const std::size_t freedoms = 2 * net.nodes.size();
+  const std::size_t freedoms = net.freedoms().size();
   std::vector<MeasuredLoad> measured(loads.size(),
                                      {std::vector<double>(freedoms, 0.0), std::vector<double>(freedoms, 0.0)});
   std::vector<std::vector<bool>> seen(loads.size(), std::vector<bool>(net.nodes.size(), false));
@@ -112,14 +112,14 @@ std::vector<MeasuredLoad> read_displacement_file(const std::filesystem::path& pa
     const std::size_t load = load_of(row, table.has("load"), loads);
     const auto place = [&](const char* axis) { return row.required_number(axis) * options.scale; };
     const std::size_t node = by_name ? names.find(row.required_integer("node"), row.source())
-                                     : places.find({place("x"), place("y")}, row.source());
+                                     : places.find({place("x"), place("y"), 0.0}, row.source());
     if (seen[load][node])
       throw InputError(row.source(),
                        fmt::format("node {} stands twice in load '{}'", net.id(node), shown(loads[load])));
     seen[load][node] = true;
     heights.add(row.number("z"), row.source());
     refuse_motion_in_space(row);
-    take(row, options.scale, node, measured[load]);
+    take(row, options.scale, net.freedoms(), node, measured[load]);
   }
   for (std::size_t l = 0; l < loads.size(); ++l)
     if (std::ranges::none_of(measured[l].weights, [](double w) { return w > 0.0; }))

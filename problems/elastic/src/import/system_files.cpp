@@ -93,9 +93,9 @@ void read_node_file(const std::filesystem::path& path, Net& net, const TableOpti
       throw InputError(entry.source, fmt::format("node {} stands twice", *entry.id));
     heights.add(entry.z, entry.source);
     if (named) net.ids.push_back(*entry.id);
-    net.nodes.push_back(at);
+    net.nodes.push_back(lifted(at));
   }
-  refuse_coincident(entries, bounding_box(net.nodes).size() / options.scale,
+  refuse_coincident(entries, extent_of(net.nodes).size() / options.scale,
                     [&](std::size_t i) { return std::to_string(net.id(i)); });
   net.masses = all_or_none(entries, &NodeEntry::mass, "mass", true);
   net.layout = fmt::format("{} nodes from {}", net.nodes.size(), path.filename().string());
@@ -110,7 +110,7 @@ SpringFile read_spring_file(const std::filesystem::path& path, Net& net, const T
   if (entries.empty()) throw InputError({path.string(), 0}, "the file has no springs");
   refuse_too_few_groups(entries);
   const NodeNames names(net);
-  const double size = bounding_box(net.nodes).size();
+  const double size = extent_of(net.nodes).size();
   std::map<std::pair<std::size_t, std::size_t>, Source> seen;
   SpringFile file;
   file.bounds = read.bounds;

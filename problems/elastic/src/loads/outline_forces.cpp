@@ -15,13 +15,13 @@ void for_each_outline_piece(const Net& net, const std::function<void(const Outli
 }
 
 void add_stress(const Net& net, const OutlinePiece& piece, const Stress& stress, std::span<double> forces) {
-  const Point &p = net.nodes[piece.from], &q = net.nodes[piece.to];
+  const Vector &p = net.nodes[piece.from], &q = net.nodes[piece.to];
   const double nx = q[1] - p[1], ny = p[0] - q[0];  // the outer normal times the length
   const double fx = 0.5 * net.body.thickness * (stress[0] * nx + stress[2] * ny);
   const double fy = 0.5 * net.body.thickness * (stress[2] * nx + stress[1] * ny);
   for (const std::size_t node : {piece.from, piece.to}) {
-    forces[2 * node] += fx;
-    forces[2 * node + 1] += fy;
+    forces[net.freedoms().at(node, 0)] += fx;
+    forces[net.freedoms().at(node, 1)] += fy;
   }
 }
 

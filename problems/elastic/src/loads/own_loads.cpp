@@ -95,17 +95,18 @@ std::string add_forces(const Options& table, const Net& net, std::span<double> f
   const std::vector<double> force = table.numbers(key);
   const double share = key == "total" ? 1.0 / static_cast<double>(nodes.size()) : 1.0;
   for (const std::size_t node : nodes)
-    for (std::size_t axis = 0; axis < 2; ++axis) forces[2 * node + axis] += share * force[axis];
+    for (std::size_t axis = 0; axis < net.dimension; ++axis)
+      forces[net.freedoms().at(node, axis)] += share * force[axis];
   return fmt::format("force on {}: {}", describe_selection(table), counted(nodes.size(), "node"));
 }
 
 // A constant traction pulls with t · length · traction, whatever the direction of the edge.
 void add_traction(const Net& net, const OutlinePiece& piece, const std::vector<double>& traction,
                   std::span<double> forces) {
-  const Point &p = net.nodes[piece.from], &q = net.nodes[piece.to];
-  const double half = 0.5 * net.body.thickness * std::hypot(q[0] - p[0], q[1] - p[1]);
+  const double half = 0.5 * net.body.thickness * distance(net.nodes[piece.from], net.nodes[piece.to]);
   for (const std::size_t node : {piece.from, piece.to})
-    for (std::size_t axis = 0; axis < 2; ++axis) forces[2 * node + axis] += half * traction[axis];
+    for (std::size_t axis = 0; axis < net.dimension; ++axis)
+      forces[net.freedoms().at(node, axis)] += half * traction[axis];
 }
 
 std::string add_tractions(const Options& table, const Net& net, std::span<double> forces) {
@@ -164,22 +165,22 @@ std::string add_supports(const Options& table, const Net& net, std::map<std::siz
   const std::vector<double> at = table.has("displacement") ? table.numbers("displacement") : std::vector{0.0, 0.0};
   const std::vector<std::size_t> nodes = select_nodes(table, net);
   for (const std::size_t node : nodes) {
-    for (std::size_t axis = 0; axis < 2; ++axis) {
-      if (fix.find("xy"[axis]) == std::string::npos) continue;
+    for (std::size_t axis = 0; axis < net.dimension; ++axis) {
+      if (fix.find(kAxisNames[axis]) == std::string::npos) continue;
       const Held wanted{measured ? 0.0 : at[axis], measured, table.values().source};
-      const auto [earlier, fresh] = held.emplace(2 * node + axis, wanted);
+      const auto [earlier, fresh] = held.emplace(net.freedoms().at(node, axis), wanted);
       if (!fresh && (earlier->second.value != wanted.value || earlier->second.measured != wanted.measured))
         throw InputError(wanted.source,
                          fmt::format("node {} is held twice in {}, at different displacements; the other "
                                      "place: {}",
-                                     net.id(node), "xy"[axis], earlier -> second.source.text()));
+                                     net.id(node), kAxisNames[axis], earlier->second.source.text()));
     }
   }
   return fmt::format("support of {}: {}", describe_selection(table), counted(nodes.size(), "node"));
 }
 
 OwnCase read_case(const Options& table, const Net& net) {
-  OwnCase result{table.text("name"), std::vector<double>(2 * net.nodes.size(), 0.0), {}, {}, table.values().source};
+  OwnCase result{table.text("name"), std::vector<double>(net.freedoms().size(), 0.0), {}, {}, table.values().source};
   if (result.name.empty()) throw InputError(table.at("name").source, "the name of a load may not be empty");
   std::map<std::size_t, Held> held;
   const auto note = [&](std::string selection) { result.selections.push_back(std::move(selection)); };
@@ -194,13 +195,13 @@ OwnCase read_case(const Options& table, const Net& net) {
   for (const Options& traction : table.tables("tractions")) pull(traction, add_tractions);
   bool moved = std::ranges::any_of(result.forces, [](double f) { return f != 0.0; });
   for (const auto& [freedom, hold] : held) {
-    result.supports.push_back({freedom / 2, freedom % 2, hold.value});
+    result.supports.push_back({net.freedoms().node_of(freedom), net.freedoms().axis_of(freedom), hold.value});
     if (hold.measured) result.held_as_measured.push_back(freedom);
     moved = moved || hold.measured || hold.value != 0.0;
   }
   if (!moved) {
     std::size_t free = net.nodes.size() - 1;  // a node that the forces may pull down, so that the advice can be pasted
-    while (free > 0 && held.contains(2 * free + 1)) --free;
+    while (free > 0 && held.contains(net.freedoms().at(free, 1))) --free;
     const std::string node = fmt::format("near = [{}, {}]", net.nodes[free][0], net.nodes[free][1]);
     throw InputError(
         result.source,

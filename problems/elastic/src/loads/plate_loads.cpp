@@ -91,7 +91,7 @@ class PlateLoads {
 
   // A stress around the body, except between two nodes of the edge `left_out`.
   std::vector<double> forces(const Stress& stress, const std::vector<std::size_t>& left_out) const {
-    std::vector<double> forces(2 * net_.nodes.size(), 0.0);
+    std::vector<double> forces(net_.freedoms().size(), 0.0);
     const auto in = [&](std::size_t node) { return std::ranges::find(left_out, node) != left_out.end(); };
     for_each_outline_piece(net_, [&](const OutlinePiece& piece) {
       if (!(in(piece.from) && in(piece.to))) add_stress(net_, piece, stress, forces);
@@ -102,11 +102,12 @@ class PlateLoads {
   // u_axis = σ(x−x0)/E', u_other = −ν'σ(y − anchor)/E'.
   std::vector<double> stretch_reference(std::size_t axis, double anchor) const {
     const std::size_t other = 1 - axis;
-    std::vector<double> u(2 * net_.nodes.size());
+    std::vector<double> u(net_.freedoms().size());
     for (std::size_t i = 0; i < net_.nodes.size(); ++i) {
-      const Point& p = net_.nodes[i];
-      u[2 * i + axis] = stress_ * (p[axis] - box_.low[axis]) / material_.plane_young();
-      u[2 * i + other] = -material_.plane_poisson() * stress_ * (p[other] - anchor) / material_.plane_young();
+      const Vector& p = net_.nodes[i];
+      u[net_.freedoms().at(i, axis)] = stress_ * (p[axis] - box_.low[axis]) / material_.plane_young();
+      u[net_.freedoms().at(i, other)] =
+          -material_.plane_poisson() * stress_ * (p[other] - anchor) / material_.plane_young();
     }
     return u;
   }
@@ -114,9 +115,9 @@ class PlateLoads {
   // u_axis = τ(distance from the edge that is held)/G, nothing across.
   std::vector<double> shear_reference(std::size_t axis) const {
     const std::size_t other = 1 - axis;
-    std::vector<double> u(2 * net_.nodes.size(), 0.0);
+    std::vector<double> u(net_.freedoms().size(), 0.0);
     for (std::size_t i = 0; i < net_.nodes.size(); ++i)
-      u[2 * i + axis] = stress_ * (net_.nodes[i][other] - box_.low[other]) / material_.shear_modulus();
+      u[net_.freedoms().at(i, axis)] = stress_ * (net_.nodes[i][other] - box_.low[other]) / material_.shear_modulus();
     return u;
   }
 
@@ -138,27 +139,28 @@ class PlateLoads {
 
   // u = ε·(X − pin) turned by the small angle that leaves the roller at rest in y. `strain` is (ε_xx, ε_yy, ε_xy).
   std::vector<double> resting_reference(const Stress& strain, std::size_t pin, std::size_t roller) const {
-    const Point& origin = net_.nodes[pin];
+    const Vector& origin = net_.nodes[pin];
     const double dx = net_.nodes[roller][kX] - origin[kX], dy = net_.nodes[roller][kY] - origin[kY];
     const double turn = -(strain[2] * dx + strain[1] * dy) / dx;
-    std::vector<double> u(2 * net_.nodes.size());
+    std::vector<double> u(net_.freedoms().size());
     for (std::size_t i = 0; i < net_.nodes.size(); ++i) {
       const double x = net_.nodes[i][kX] - origin[kX], y = net_.nodes[i][kY] - origin[kY];
-      u[2 * i] = strain[0] * x + (strain[2] - turn) * y;
-      u[2 * i + 1] = (strain[2] + turn) * x + strain[1] * y;
+      u[net_.freedoms().at(i, kX)] = strain[0] * x + (strain[2] - turn) * y;
+      u[net_.freedoms().at(i, kY)] = (strain[2] + turn) * x + strain[1] * y;
     }
-    u[2 * roller + 1] = 0.0;  // to the last digit
+    u[net_.freedoms().at(roller, kY)] = 0.0;  // to the last digit
     return u;
   }
 
-  static void sort_supports(SupportGroup& group) {
-    std::ranges::sort(group.supports, {}, [](const Support& s) { return 2 * s.node + s.axis; });
+  void sort_supports(SupportGroup& group) const {
+    std::ranges::sort(group.supports, {}, [this](const Support& s) { return net_.freedoms().at(s.node, s.axis); });
   }
 
-  static void add(LoadSet& set, std::string name, std::vector<double> forces, std::vector<double> reference,
-                  SupportGroup group) {
+  void add(LoadSet& set, std::string name, std::vector<double> forces, std::vector<double> reference,
+           SupportGroup group) const {
     sort_supports(group);
-    for (const Support& s : group.supports) reference[2 * s.node + s.axis] = s.value;  // to the last digit
+    for (const Support& s : group.supports)
+      reference[net_.freedoms().at(s.node, s.axis)] = s.value;  // to the last digit
     set.loads.push_back({std::move(name), set.groups.size(), std::move(forces), std::move(reference)});
     set.groups.push_back(std::move(group));
   }

@@ -33,10 +33,10 @@ Nodes in_box(const Value& value, const Net& net) {
     throw InputError(value.source, fmt::format("'box' is [{}, {}, {}, {}]; it must be [x0, y0, x1, y1] with x0 ≤ x1 "
                                                "and y0 ≤ y1",
                                                b[0], b[1], b[2], b[3]));
-  const double slack = net.body.on_outline * bounding_box(net.nodes).size();
+  const double slack = net.body.on_outline * extent_of(net.nodes).size();
   Nodes nodes;
   for (std::size_t i = 0; i < net.nodes.size(); ++i) {
-    const Point& p = net.nodes[i];
+    const Vector& p = net.nodes[i];
     if (p[0] >= b[0] - slack && p[0] <= b[2] + slack && p[1] >= b[1] - slack && p[1] <= b[3] + slack)
       nodes.push_back(i);
   }
@@ -60,7 +60,8 @@ Nodes on_side(const Net& net, std::size_t number) {
   const double tolerance = outline_tolerance(net.body);
   Nodes nodes;
   for (const std::size_t i : net.outlines[0])
-    if (distance_to_segment(net.nodes[i], ring[side], ring[(side + 1) % ring.size()]) <= tolerance) nodes.push_back(i);
+    if (distance_to_segment(in_plane(net.nodes[i]), ring[side], ring[(side + 1) % ring.size()]) <= tolerance)
+      nodes.push_back(i);
   return nodes;
 }
 
@@ -89,10 +90,10 @@ Nodes on_edge(const Value& value, const Net& net) {
 
 Nodes nearest_to(const Value& value, const Net& net) {
   const std::vector<double> p = value.numbers();
-  const double size = bounding_box(net.nodes).size();
+  const double size = extent_of(net.nodes).size();
   Nodes all(net.nodes.size());
   std::iota(all.begin(), all.end(), std::size_t{0});
-  const auto away = [&](std::size_t i) { return distance(net.nodes[i], {p[0], p[1]}); };
+  const auto away = [&](std::size_t i) { return distance(net.nodes[i], {p[0], p[1], 0.0}); };
   const std::size_t nearest = least_by(all, kPlaceRounding * size, away);
   if (!(away(nearest) <= size))
     throw InputError(
@@ -105,7 +106,7 @@ Nodes nearest_to(const Value& value, const Net& net) {
 
 // What may be the reason that nothing is selected.
 std::string near_miss(const Net& net) {
-  const Box box = bounding_box(net.nodes);
+  const Extent box = extent_of(net.nodes);
   return fmt::format("; the nodes lie in [{}, {}, {}, {}]", box.low[0], box.low[1], box.high[0], box.high[1]);
 }
 

@@ -57,7 +57,7 @@ std::vector<OnRing> nodes_on_ring(const Net& net, std::size_t r, double toleranc
   std::vector<OnRing> found;
   std::vector<std::size_t> nearby;
   for (std::size_t i = 0; i < net.nodes.size(); ++i) {
-    const Point& node = net.nodes[i];
+    const Point node = in_plane(net.nodes[i]);
     nearby.clear();
     ring.collect({{node[0] - margin, node[1] - margin}, {node[0] + margin, node[1] + margin}}, nearby);
     OnRing place{i, 0, 0.0, false};

@@ -54,11 +54,11 @@ const std::vector<Topology>& topologies() {
   return all;
 }
 
-Spring make_spring(const std::vector<Point>& nodes, std::size_t i, std::size_t j) {
+Spring make_spring(const std::vector<Vector>& nodes, std::size_t i, std::size_t j) {
   const std::size_t first = std::min(i, j), second = std::max(i, j);
-  const Point d = {nodes[second][0] - nodes[first][0], nodes[second][1] - nodes[first][1]};
-  const double length = std::hypot(d[0], d[1]);
-  return {first, second, length, {d[0] / length, d[1] / length}};
+  const Vector d = nodes[second] - nodes[first];
+  const double length = norm(d);
+  return {first, second, length, {d[0] / length, d[1] / length, d[2] / length}};
 }
 
 Net make_grid_net(const Body& body, std::size_t columns, std::size_t rows, const std::string& topology) {

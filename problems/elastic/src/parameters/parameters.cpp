@@ -52,7 +52,7 @@ Tied by_class(SpringClasses classes) {
 
 // A group is numbered and named by its lowest spring.
 Tied symmetric(const Net& net) {
-  const Symmetry symmetry = find_symmetry(net.nodes, net.springs);
+  const Symmetry symmetry = find_symmetry(in_plane(net.nodes), net.springs);
   if (symmetry.order() == 1)
     throw std::invalid_argument(
         fmt::format("the '{}' net of {} nodes has no symmetry: no rotation or reflection about the "

@@ -52,7 +52,7 @@ std::vector<std::size_t> nodes_beside_outline(const Net& net) {
   const Outline outline(net.body);
   const double near = kNearOutline * outline.box().size();
   for (std::size_t i = 0; i < net.nodes.size(); ++i)
-    if (!net.on_border(i) && outline.distance(net.nodes[i], 2.0 * near) <= near) beside.push_back(i);
+    if (!net.on_border(i) && outline.distance(in_plane(net.nodes[i]), 2.0 * near) <= near) beside.push_back(i);
   return beside;
 }
 

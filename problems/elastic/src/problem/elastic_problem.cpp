@@ -143,7 +143,7 @@ State ElasticProblem::solve(std::span<const double> stiffness) const {
       for (std::size_t i = 0; i < group.freedoms(); ++i) out.displacement[i] = placed[group.place()[i]] * unit;
       out.supports = group.supports();
       for (const Support& s : group.supports()) {
-        const std::size_t freedom = 2 * s.node + s.axis;
+        const std::size_t freedom = net().freedoms().at(s.node, s.axis);
         out.bearing.push_back(force[group.place()[freedom]] * unit - load.forces[freedom]);
       }
     }

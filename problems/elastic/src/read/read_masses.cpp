@@ -19,7 +19,7 @@ constexpr double kDensity = 1.0;  // [kg/m³]
 std::vector<double> region_masses(double density, Net& net) {
   const Outline outline(net.body);
   VoronoiCells cells(outline, {});
-  cells.compute(net.nodes);
+  cells.compute(in_plane(net.nodes));
   std::vector<double> masses;
   for (const CellSums& cell : cells.cells()) masses.push_back(density * net.body.thickness * cell.area);
   if (net.cells.empty())
@@ -88,9 +88,10 @@ Value read_masses(const Options& masses, Net& net) {
   try {
     const double density = masses.number("density");
     const MassTarget target = mass_target(net.body, density);
-    const Masses found = form == "least-norm" ? least_norm_masses(net.nodes, target)
-                                              : positive_masses(net.nodes, target, region_masses(density, net),
-                                                                masses.number("least_share"));
+    const Masses found =
+        form == "least-norm"
+            ? least_norm_masses(in_plane(net.nodes), target)
+            : positive_masses(in_plane(net.nodes), target, region_masses(density, net), masses.number("least_share"));
     if (form == "positive" && found.outcome == MassOutcome::infeasible)
       throw InputError(source,
                        fmt::format("{}; take masses = {{ form = \"least-norm\" }}, or other points", found.message));

@@ -25,9 +25,9 @@ void join(const std::vector<NodePair>& pairs, Net& net) {
 }
 
 void triangulate(Net& net) {
-  net.triangles =
-      net.body.has_outline() ? constrained_triangles(net.nodes, net.outlines) : delaunay_triangles(net.nodes);
-  const std::size_t slivers = drop_slivers(net.nodes, net.triangles, kLeastTriangleHeight);
+  net.triangles = net.body.has_outline() ? constrained_triangles(in_plane(net.nodes), net.outlines)
+                                         : delaunay_triangles(in_plane(net.nodes));
+  const std::size_t slivers = drop_slivers(in_plane(net.nodes), net.triangles, kLeastTriangleHeight);
   if (slivers > 0)
     net.remarks.push_back(
         fmt::format("{} sliver{} on the border, flatter than 1 : {}, {} left out: nodes there lie "
@@ -38,7 +38,7 @@ void triangulate(Net& net) {
 std::vector<NodePair> touching_regions(const Net& net) {
   const Outline outline(net.body);
   VoronoiCells cells(outline, {});
-  cells.compute(net.nodes);
+  cells.compute(in_plane(net.nodes));
   std::vector<NodePair> pairs = cells.neighbour_pairs();
   std::ranges::sort(pairs);
   return pairs;
@@ -51,7 +51,7 @@ void join_by(const std::string& topology, const Options& springs, Net& net) {
     std::optional<Outline> outline;
     if (net.body.has_outline()) outline.emplace(net.body);
     net.topology = fmt::format("nearest {}", count);
-    join(nearest_pairs(outline ? &*outline : nullptr, net.nodes, static_cast<std::size_t>(count)), net);
+    join(nearest_pairs(outline ? &*outline : nullptr, in_plane(net.nodes), static_cast<std::size_t>(count)), net);
     return;
   }
   if (topology == "voronoi-neighbours") {
@@ -63,7 +63,7 @@ void join_by(const std::string& topology, const Options& springs, Net& net) {
   }
   triangulate(net);
   join(side_pairs(net.triangles), net);
-  if (topology == "delaunay-flip") join(flip_pairs(net.nodes, net.triangles), net);
+  if (topology == "delaunay-flip") join(flip_pairs(in_plane(net.nodes), net.triangles), net);
 }
 
 }  // namespace

@@ -100,7 +100,7 @@ StudyPoints read_counted_grid(const Options& points, const std::string& topology
 Net net_of(const Body& body, std::vector<Point> nodes) {
   Net net;
   net.body = body;
-  net.nodes = std::move(nodes);
+  net.nodes = lifted(nodes);
   find_border(net);
   return net;
 }
@@ -274,7 +274,7 @@ StudyPoints read_points(const Options& problem, const ProblemContext& context, c
     read.net.body = body;
     read_node_file(context.directory / points.text("file"), read.net, read_table_options(points));
     if (!problem.table("body").has("on_outline"))
-      read.net.body.on_outline = on_outline_as_written(read.net.nodes, body);
+      read.net.body.on_outline = on_outline_as_written(in_plane(read.net.nodes), body);
     find_border(read.net);
     return read;
   }

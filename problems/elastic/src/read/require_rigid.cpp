@@ -2,6 +2,7 @@
 #include "read/require_rigid.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 
@@ -11,33 +12,41 @@
 
 #include <nodal/elastic/mechanism.h>
 
-#include "rigidity/rigidity.h"
-
 namespace nodal::elastic {
 
 namespace {
 
-std::vector<std::size_t> fixed_freedoms(const SupportGroup& group) {
+std::vector<std::size_t> fixed_freedoms(const Freedoms& freedoms, const SupportGroup& group) {
   std::vector<std::size_t> fixed;
-  for (const Support& s : group.supports) fixed.push_back(2 * s.node + s.axis);
+  for (const Support& s : group.supports) fixed.push_back(freedoms.at(s.node, s.axis));
   return fixed;
 }
 
-// Whether supports hold a rigid body: no combination of two translations and a rotation leaves them all at rest.
-bool hold_a_rigid_body(const std::vector<Point>& nodes, const SupportGroup& group) {
-  const Box box = bounding_box(nodes);
-  Eigen::MatrixXd motions(static_cast<Eigen::Index>(group.supports.size()), 3);
+// How far a support's axis is moved by each rigid motion: the translations, then the turns about z, x and y.
+Eigen::RowVectorXd felt_by(const Support& support, const Vector& place, std::size_t dimension) {
+  const std::size_t turns = dimension == 2 ? 1 : 3;
+  Eigen::RowVectorXd felt = Eigen::RowVectorXd::Zero(static_cast<Eigen::Index>(dimension + turns));
+  felt[static_cast<Eigen::Index>(support.axis)] = 1.0;
+  constexpr std::array<Vector, 3> about = {{{0.0, 0.0, 1.0}, {1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}}};
+  for (std::size_t t = 0; t < turns; ++t)
+    felt[static_cast<Eigen::Index>(dimension + t)] = cross(about[t], place)[support.axis];
+  return felt;
+}
+
+// Whether supports hold a rigid body: no combination of translations and rotations leaves them all at rest.
+bool hold_a_rigid_body(const Structure& structure, const SupportGroup& group) {
+  const Extent box = extent_of(structure.nodes);
+  const std::size_t needed = structure.dimension == 2 ? 3 : 6;
+  if (group.supports.size() < needed) return false;
+  Eigen::MatrixXd motions(static_cast<Eigen::Index>(group.supports.size()), static_cast<Eigen::Index>(needed));
   for (std::size_t s = 0; s < group.supports.size(); ++s) {
-    const Support& support = group.supports[s];
-    const double x = (nodes[support.node][0] - box.low[0]) / box.size();
-    const double y = (nodes[support.node][1] - box.low[1]) / box.size();
-    const bool along_x = support.axis == 0;
-    motions.row(static_cast<Eigen::Index>(s)) << (along_x ? 1.0 : 0.0), (along_x ? 0.0 : 1.0), (along_x ? -y : x);
+    Vector place = structure.nodes[group.supports[s].node] - box.low;
+    for (double& coordinate : place) coordinate /= box.size();
+    motions.row(static_cast<Eigen::Index>(s)) = felt_by(group.supports[s], place, structure.dimension);
   }
-  if (group.supports.size() < 3) return false;
   // Supports nearer to each other than that hold no rotation.
   const Eigen::VectorXd singular = Eigen::JacobiSVD<Eigen::MatrixXd>(motions).singularValues();
-  return singular[2] > kPlaceRounding * singular[0];
+  return singular[singular.size() - 1] > kPlaceRounding * singular[0];
 }
 
 // The nodes by what people call them, some of many.
@@ -56,19 +65,24 @@ std::vector<std::string> loads_of(const LoadSet& loads, std::size_t group) {
   return names;
 }
 
+// One node held and the one farthest to its side carried: the least that holds whatever has a width; farthest above or
+// below it where there is none.
+std::string least_supports(const Net& net) {
+  const Extent box = extent_of(net.nodes);
+  const std::size_t across = box.along(0) > kPlaceRounding * box.size() ? 0 : 1;
+  const auto far = std::ranges::max_element(
+      net.nodes, {}, [&](const Vector& node) { return std::abs(node[across] - net.nodes.front()[across]); });
+  return fmt::format("supports = [{{ nodes = [{}] }}, {{ nodes = [{}], fix = \"{}\" }}]", net.id(0),
+                     net.id(static_cast<std::size_t>(far - net.nodes.begin())), across == 0 ? "y" : "x");
+}
+
 std::string why(const Net& net, bool rigid) {
-  if (rigid) {
-    // One node held and the one farthest to its side carried: the least that holds whatever has a width; farthest
-    // above or below it where there is none.
-    const Box box = bounding_box(net.nodes);
-    const std::size_t across = box.width() > kPlaceRounding * box.size() ? 0 : 1;
-    const auto far = std::ranges::max_element(
-        net.nodes, {}, [&](const Point& node) { return std::abs(node[across] - net.nodes.front()[across]); });
-    return fmt::format(
-        "the supports don't hold a rigid body: hold three displacements at least, as supports = [{{ nodes = "
-        "[{}] }}, {{ nodes = [{}], fix = \"{}\" }}] does",
-        net.id(0), net.id(static_cast<std::size_t>(far - net.nodes.begin())), across == 0 ? "y" : "x");
-  }
+  if (rigid)
+    return net.dimension == 2 ? fmt::format(
+                                    "the supports don't hold a rigid body: hold three displacements at least, as "
+                                    "{} does",
+                                    least_supports(net))
+                              : "the supports don't hold a rigid body: hold six displacements at least";
   std::vector<bool> joined(net.nodes.size(), false);
   for (const Spring& s : net.springs) joined[s.first] = joined[s.second] = true;
   std::vector<std::size_t> alone;
@@ -81,19 +95,21 @@ std::string why(const Net& net, bool rigid) {
 
 }  // namespace
 
-bool is_rigid(const std::vector<Point>& nodes, const std::vector<Spring>& springs, const LoadSet& loads) {
-  const bool rigid = free_rigidity(nodes, springs).is_rigid();
+bool is_rigid(const Structure& structure, const LoadSet& loads) {
+  const bool rigid = free_rigidity(structure).is_rigid();
   return std::ranges::all_of(loads.groups, [&](const SupportGroup& group) {
-    return (rigid && hold_a_rigid_body(nodes, group)) || rigidity(nodes, springs, fixed_freedoms(group)).is_rigid();
+    return (rigid && hold_a_rigid_body(structure, group)) ||
+           rigidity(structure, fixed_freedoms(structure.freedoms(), group)).is_rigid();
   });
 }
 
 void require_rigid(const Net& net, const LoadSet& loads, const Source& source) {
+  const Structure structure = structure_of(net);
   const bool known = net.grid.columns > 0;
-  const bool rigid = known || free_rigidity(net.nodes, net.springs).is_rigid();
+  const bool rigid = known || free_rigidity(structure).is_rigid();
   for (std::size_t g = 0; g < loads.groups.size(); ++g) {
-    if (rigid && hold_a_rigid_body(net.nodes, loads.groups[g])) continue;
-    const Rigidity found = rigidity(net.nodes, net.springs, fixed_freedoms(loads.groups[g]));
+    if (rigid && hold_a_rigid_body(structure, loads.groups[g])) continue;
+    const Rigidity found = rigidity(structure, fixed_freedoms(structure.freedoms(), loads.groups[g]));
     if (found.is_rigid()) continue;
     throw MechanismError(
         source,
@@ -102,7 +118,7 @@ void require_rigid(const Net& net, const LoadSet& loads, const Source& source) {
                     found.mechanisms == 1 ? "a motion" : fmt::format("{} motions", found.mechanisms),
                     found.mechanisms == 1 ? "s" : "", found.moving.size() == 1 ? "" : "s", named(net, found.moving),
                     why(net, rigid)),
-        net, found.motions.empty() ? std::vector<double>(2 * net.nodes.size(), 0.0) : found.motions.front());
+        net, found.motions.empty() ? std::vector<double>(net.freedoms().size(), 0.0) : found.motions.front());
   }
 }
 

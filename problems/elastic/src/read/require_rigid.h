@@ -7,6 +7,8 @@
 #include <nodal/elastic/net.h>
 #include <nodal/error.h>
 
+#include "rigidity/rigidity.h"
+
 namespace nodal::elastic {
 
 /// MechanismError when, under some group of supports, nodes can move while no spring changes its length: names them.
@@ -15,6 +17,6 @@ namespace nodal::elastic {
 void require_rigid(const Net& net, const LoadSet& loads, const Source& source);
 
 /// The same question without a message. Same cost.
-[[nodiscard]] bool is_rigid(const std::vector<Point>& nodes, const std::vector<Spring>& springs, const LoadSet& loads);
+[[nodiscard]] bool is_rigid(const Structure& structure, const LoadSet& loads);
 
 }  // namespace nodal::elastic

@@ -175,13 +175,13 @@ void require_something_to_fit(const Scene& scene, const Source& weights, const S
   for (const LoadCase& load : scene.loads.loads) {
     const SupportGroup& group = scene.loads.groups[load.group];
     std::vector<bool> held(load.reference.size(), false);
-    for (const Support& s : group.supports) held[2 * s.node + s.axis] = true;
+    for (const Support& s : group.supports) held[scene.net.freedoms().at(s.node, s.axis)] = true;
     for (std::size_t f = 0; f < load.reference.size(); ++f) {
       if (held[f] || !(group.weight(f) > 0.0)) continue;
       known = true;
       if (load.reference[f] == 0.0) continue;
       moves = true;
-      if (scene.weight_of(f / 2) > 0.0) return;
+      if (scene.weight_of(scene.net.freedoms().node_of(f)) > 0.0) return;
     }
   }
   if (moves)

@@ -65,26 +65,26 @@ LoadSet from_cases(const std::vector<OwnCase>& cases) {
 // Holds freedoms where the reference says that they went.
 void hold_as_measured(const OwnCase& one, const MeasuredLoad& measured, const Net& net, SupportGroup& group) {
   for (Support& support : group.supports) {
-    const std::size_t freedom = 2 * support.node + support.axis;
+    const std::size_t freedom = net.freedoms().at(support.node, support.axis);
     if (!std::ranges::binary_search(one.held_as_measured, freedom)) continue;
     if (!(measured.weights[freedom] > 0.0))
       throw InputError(one.source,
                        fmt::format("node {} is to be held as measured, but the reference has no {} of it in "
                                    "load '{}'",
-                                   net.id(support.node), support.axis == 0 ? "ux" : "uy", one.name));
+                                   net.id(support.node), std::string("u") + kAxisNames[support.axis], one.name));
     support.value = measured.displacement[freedom];
   }
 }
 
 // Takes the reference from measurements. Loads then go together that share supports and what is known of them.
-void apply_measurements(const std::vector<MeasuredLoad>& measured, LoadSet& set) {
+void apply_measurements(const std::vector<MeasuredLoad>& measured, const Freedoms& freedoms, LoadSet& set) {
   LoadSet grouped;
   for (std::size_t l = 0; l < set.loads.size(); ++l) {
     LoadCase load = std::move(set.loads[l]);
     SupportGroup group = set.groups[load.group];
     load.reference = measured[l].displacement;
     // A freedom that is held is where it is held: what was measured there says nothing about springs.
-    for (const Support& s : group.supports) load.reference[2 * s.node + s.axis] = s.value;
+    for (const Support& s : group.supports) load.reference[freedoms.at(s.node, s.axis)] = s.value;
     const bool complete = std::ranges::all_of(measured[l].weights, [](double w) { return w == 1.0; });
     if (!complete) group.weights = measured[l].weights;
     const auto same = std::ranges::find_if(grouped.groups, [&](const SupportGroup& g) {
@@ -110,15 +110,15 @@ void only_solved(const std::vector<OwnCase>& cases, const Source& source, Scene&
                                  "cases of your own need reference = { file = \"displacements.csv\" }, the "
                                  "displacements to be matched: a closed form is known for the plate's loads only")
                           .what();
-  const std::vector<double> zero(2 * scene.net.nodes.size(), 0.0), all(zero.size(), 1.0);
-  apply_measurements(std::vector<MeasuredLoad>(cases.size(), {zero, all}), scene.loads);
+  const std::vector<double> zero(scene.net.freedoms().size(), 0.0), all(zero.size(), 1.0);
+  apply_measurements(std::vector<MeasuredLoad>(cases.size(), {zero, all}), scene.net.freedoms(), scene.loads);
 }
 
-bool moves(const LoadCase& load, const SupportGroup& group) {
+bool moves(const LoadCase& load, const SupportGroup& group, const Freedoms& freedoms) {
   std::vector<bool> held(load.forces.size(), false);
   for (const Support& s : group.supports) {
     if (s.value != 0.0) return true;
-    held[2 * s.node + s.axis] = true;
+    held[freedoms.at(s.node, s.axis)] = true;
   }
   for (std::size_t f = 0; f < held.size(); ++f)
     if (!held[f] && load.forces[f] != 0.0) return true;
@@ -130,7 +130,7 @@ void tell_of_idle_loads(const std::vector<OwnCase>& cases, Scene& scene) {
   for (std::size_t l = 0; l < cases.size(); ++l) {
     const OwnCase& one = cases[l];
     const LoadCase& load = scene.loads.loads[l];
-    if (moves(load, scene.loads.groups[load.group])) {
+    if (moves(load, scene.loads.groups[load.group], scene.net.freedoms())) {
       for (const std::string& idle : one.idle)
         scene.findings.push_back(
             fmt::format("load '{}': {}, but only where supports hold: they bear all of it, and nothing moves by it",
@@ -261,7 +261,7 @@ void read_loads(const Options& problem, const ProblemContext& context, Scene& sc
                                                                     scene.net, names, read_table_options(reference));
   for (std::size_t l = 0; l < cases.size(); ++l)
     hold_as_measured(cases[l], measured[l], scene.net, scene.loads.groups[l]);
-  apply_measurements(measured, scene.loads);
+  apply_measurements(measured, scene.net.freedoms(), scene.loads);
   tell_of_idle_loads(cases, scene);
   scene.measured_reference = summary(reference.text("file"), measured);
 }

@@ -37,7 +37,7 @@ class Pruner {
     std::vector<Spring> springs;
     for (std::size_t e = 0; e < removed_.size(); ++e)
       if (!removed_[e]) springs.push_back(scene_.net.springs[e]);
-    return is_rigid(scene_.net.nodes, springs, scene_.loads);
+    return is_rigid({scene_.net.dimension, scene_.net.nodes, springs}, scene_.loads);
   }
 
   const Scene& scene_;

@@ -47,7 +47,7 @@ std::vector<double> areas_on_a_grid(const Net& net) {
 }
 
 double area_of(const Net& net, const Triangle& t) {
-  const Point &a = net.nodes[t[0]], &b = net.nodes[t[1]], &c = net.nodes[t[2]];
+  const Vector &a = net.nodes[t[0]], &b = net.nodes[t[1]], &c = net.nodes[t[2]];
   return 0.5 * ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]));
 }
 

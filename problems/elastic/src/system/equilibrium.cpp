@@ -29,19 +29,21 @@ constexpr double kNoDigits = 0.1;
 constexpr double kHeldByRounding = 0.05;
 
 std::vector<bool> fixed_freedoms(const Scene& scene, const SupportGroup& group) {
-  std::vector<bool> fixed(2 * scene.net.nodes.size(), false);
-  for (const Support& s : group.supports) fixed.at(2 * s.node + s.axis) = true;
+  const Freedoms freedoms = scene.net.freedoms();
+  std::vector<bool> fixed(freedoms.size(), false);
+  for (const Support& s : group.supports) fixed.at(freedoms.at(s.node, s.axis)) = true;
   return fixed;
 }
 
 // One spring couples freedom a with freedom b by d_a d_b: minus that between its two ends.
 template <class Visit>
-void for_each_coupling(const Spring& s, Visit visit) {
-  const std::array<std::size_t, 4> freedom = {2 * s.first, 2 * s.first + 1, 2 * s.second, 2 * s.second + 1};
-  const std::array<double, 4> b = {-s.direction[0], -s.direction[1], s.direction[0], s.direction[1]};
-  for (std::size_t p = 0; p < 4; ++p)
-    for (std::size_t q = p; q < 4; ++q)
-      if (b[p] * b[q] != 0.0) visit(freedom[p], freedom[q], b[p] * b[q]);
+void for_each_coupling(const Freedoms& freedoms, const Spring& s, Visit visit) {
+  const std::size_t d = freedoms.dimension;
+  const auto freedom = [&](std::size_t p) { return freedoms.at(p < d ? s.first : s.second, p % d); };
+  const auto b = [&](std::size_t p) { return p < d ? -s.direction[p] : s.direction[p - d]; };
+  for (std::size_t p = 0; p < 2 * d; ++p)
+    for (std::size_t q = p; q < 2 * d; ++q)
+      if (b(p) * b(q) != 0.0) visit(freedom(p), freedom(q), b(p) * b(q));
 }
 
 Factorization factorization_of(const std::string& solver) {
@@ -63,7 +65,7 @@ std::vector<Nonzero> couplings(const Scene& scene, const std::vector<bool>& fixe
   const std::vector<std::size_t> unknown = unknown_of(fixed);
   std::vector<Nonzero> entries;
   for (const Spring& s : scene.net.springs)
-    for_each_coupling(s, [&](std::size_t a, std::size_t b, double) {
+    for_each_coupling(scene.net.freedoms(), s, [&](std::size_t a, std::size_t b, double) {
       if (!fixed[a] && !fixed[b]) entries.push_back({unknown[a], unknown[b]});
     });
   return entries;
@@ -85,14 +87,14 @@ double norm(std::span<const double> v) {
 // The first spring, force or support that nothing can be computed with.
 std::string find_flaw(const Scene& scene, std::size_t group) {
   for (const Spring& s : scene.net.springs)
-    if (!std::isfinite(s.direction[0]) || !std::isfinite(s.direction[1]))
+    if (!std::isfinite(norm(s.direction)))
       return fmt::format("spring ({}, {}) has no direction: its ends lie on each other, or are nowhere", s.first,
                          s.second);
   for (const LoadCase& load : scene.loads.loads)
     for (std::size_t i = 0; i < load.forces.size(); ++i)
       if (load.group == group && !std::isfinite(load.forces[i]))
         return fmt::format("load '{}' has force {} on node {}, which can't be computed with", load.name, load.forces[i],
-                           i / 2);
+                           scene.net.freedoms().node_of(i));
   for (const Support& s : scene.loads.groups.at(group).supports)
     if (!std::isfinite(s.value))
       return fmt::format("node {} is held at displacement {}, which can't be computed with", s.node, s.value);
@@ -102,7 +104,8 @@ std::string find_flaw(const Scene& scene, std::size_t group) {
 }  // namespace
 
 EquilibriumGroup::EquilibriumGroup(const Scene& scene, std::size_t group, double displacement_unit)
-    : displacement_unit_(displacement_unit),
+    : numbering_(scene.net.freedoms()),
+      displacement_unit_(displacement_unit),
       flaw_(find_flaw(scene, group)),
       supports_(scene.loads.groups.at(group).supports),
       fixed_(fixed_freedoms(scene, scene.loads.groups[group])),
@@ -140,24 +143,27 @@ void EquilibriumGroup::place_freedoms(const Scene& scene, std::size_t group) {
   }
   prescribed_.assign(count, 0.0);
   for (const Support& s : supports_) {
-    prescribed_[place_[2 * s.node + s.axis]] = s.value / displacement_unit_;
+    prescribed_[place_[numbering_.at(s.node, s.axis)]] = s.value / displacement_unit_;
     moved_supports_ = moved_supports_ || s.value != 0.0;
   }
   weights_.assign(count, 0.0);
   for (std::size_t i = 0; i < count; ++i) {
-    if (!fixed_[i]) weights_[place_[i]] = scene.weight_of(i / 2) * scene.loads.groups[group].weight(i);
+    if (!fixed_[i]) weights_[place_[i]] = scene.weight_of(numbering_.node_of(i)) * scene.loads.groups[group].weight(i);
   }
 }
 
 void EquilibriumGroup::gather_terms(const Scene& scene) {
   const std::vector<std::size_t> unknown = unknown_of(fixed_);
   std::vector<std::vector<Term>> by_entry(pattern_.entries());
-  for (std::size_t e = 0; e < scene.net.springs.size(); ++e) {
+  springs_ = scene.net.springs.size();
+  for (std::size_t e = 0; e < springs_; ++e) {
     const Spring& s = scene.net.springs[e];
-    const auto at = [this](std::size_t freedom) { return static_cast<std::uint32_t>(place_[freedom]); };
-    ends_.push_back(
-        {s.direction[0], s.direction[1], at(2 * s.first), at(2 * s.first + 1), at(2 * s.second), at(2 * s.second + 1)});
-    for_each_coupling(s, [&](std::size_t a, std::size_t b, double factor) {
+    directions_.insert(directions_.end(), s.direction.begin(),
+                       s.direction.begin() + static_cast<long>(numbering_.dimension));
+    for (const std::size_t node : {s.first, s.second})
+      for (std::size_t axis = 0; axis < numbering_.dimension; ++axis)
+        places_.push_back(static_cast<std::uint32_t>(place_[numbering_.at(node, axis)]));
+    for_each_coupling(numbering_, s, [&](std::size_t a, std::size_t b, double factor) {
       if (!fixed_[a] && !fixed_[b])
         by_entry[pattern_.entry(unknown[a], unknown[b])].push_back({static_cast<std::uint32_t>(e), factor});
     });

@@ -8,8 +8,8 @@
 /// with the assembled K: only so does it recover the digits that assembling stiff and soft springs has lost. A full
 /// refinement sums in long double: on slender bodies, what a node's forces lose to rounding bends the whole strip.
 ///
-/// Order    vectors of a group are "placed": [0, free) are the free freedoms as the factor wants them, [free, 2·nodes)
-///          the fixed ones, ascending, holding their prescribed values. `place` maps a freedom (2·node + axis) there.
+/// Order    vectors of a group are "placed": [0, free) are the free freedoms as the factor wants them, [free, freedoms)
+///          the fixed ones, ascending, holding their prescribed values. `place` maps a freedom (Freedoms) there.
 /// Units    stiffness N/m; displacements in a unit of the caller's, a power of two near the largest reference, so that
 ///          their squares stay in range at any size of body and no digit changes; forces in N per that unit.
 /// Cost     one numeric factorization per `factorize`, one solve per load and refinement step; after the first call our
@@ -26,6 +26,7 @@
 
 #include <nodal/elastic/elastic_problem.h>
 
+#include "geometry/with_dimension.h"
 #include "system/factor/cholesky.h"
 
 namespace nodal::elastic {
@@ -36,7 +37,7 @@ class EquilibriumGroup {
   /// `displacement_unit` [m] must be a power of two.
   EquilibriumGroup(const Scene& scene, std::size_t group, double displacement_unit = 1.0);
 
-  /// A load of this group, placed. `reference` and `forces` are [2·nodes]; weights of fixed freedoms are 0.
+  /// A load of this group, placed. `reference` and `forces` are [freedoms]; weights of fixed freedoms are 0.
   struct Load {
     std::size_t index = 0;  ///< in the scene's load set
     std::vector<double> forces, reference;
@@ -50,9 +51,11 @@ class EquilibriumGroup {
   [[nodiscard]] std::span<const double> prescribed() const noexcept { return prescribed_; }
   [[nodiscard]] const std::vector<Support>& supports() const noexcept { return supports_; }
   [[nodiscard]] const CholeskyPattern& pattern() const noexcept { return pattern_; }
-  /// The freedom (2·node + axis) at a place.
+  /// The freedom at a place; which node and axis that is, `numbering` says.
   [[nodiscard]] std::size_t freedom_at(std::size_t place) const noexcept { return freedom_[place]; }
-  [[nodiscard]] std::size_t springs() const noexcept { return ends_.size(); }
+  [[nodiscard]] const Freedoms& numbering() const noexcept { return numbering_; }
+  [[nodiscard]] std::size_t node_at(std::size_t place) const noexcept { return numbering_.node_of(freedom_[place]); }
+  [[nodiscard]] std::size_t springs() const noexcept { return springs_; }
   /// What can't be computed with whatever the stiffnesses are: a spring without length, a force that is no number.
   /// Empty when all is well.
   [[nodiscard]] const std::string& flaw() const noexcept { return flaw_; }
@@ -60,36 +63,48 @@ class EquilibriumGroup {
   /// b_e·u of placed displacements, computed in `Real`.
   template <class Real = double>
   [[nodiscard]] Real elongation(std::size_t spring, const double* u) const noexcept {
-    const Ends& s = ends_[spring];
-    return s.dx * (Real{u[s.x2]} - u[s.x1]) + s.dy * (Real{u[s.y2]} - u[s.y1]);
+    return with_dimension(numbering_.dimension, [&](auto dimension) {
+      const auto [d, low, high] = ends_of<dimension()>(spring);
+      Real sum = d[0] * (Real{u[high[0]]} - u[low[0]]);
+      for (std::size_t axis = 1; axis < dimension(); ++axis) sum += d[axis] * (Real{u[high[axis]]} - u[low[axis]]);
+      return sum;
+    });
   }
   /// |b_e|·|u|: what b_e·u could be without cancellation.
   [[nodiscard]] double elongation_magnitude(std::size_t spring, const double* u) const noexcept {
-    const Ends& s = ends_[spring];
-    return std::abs(s.dx) * (std::abs(u[s.x2]) + std::abs(u[s.x1])) +
-           std::abs(s.dy) * (std::abs(u[s.y2]) + std::abs(u[s.y1]));
+    return with_dimension(numbering_.dimension, [&](auto dimension) {
+      const auto [d, low, high] = ends_of<dimension()>(spring);
+      double sum = 0.0;
+      for (std::size_t axis = 0; axis < dimension(); ++axis)
+        sum += std::abs(d[axis]) * (std::abs(u[high[axis]]) + std::abs(u[low[axis]]));
+      return sum;
+    });
   }
   /// v += factor · |b_e|.
   void add_spring_magnitude(std::size_t spring, double factor, double* v) const noexcept {
-    const Ends& s = ends_[spring];
-    v[s.x1] += factor * std::abs(s.dx);
-    v[s.y1] += factor * std::abs(s.dy);
-    v[s.x2] += factor * std::abs(s.dx);
-    v[s.y2] += factor * std::abs(s.dy);
+    with_dimension(numbering_.dimension, [&](auto dimension) {
+      const auto [d, low, high] = ends_of<dimension()>(spring);
+      for (std::size_t axis = 0; axis < dimension(); ++axis) {
+        v[low[axis]] += factor * std::abs(d[axis]);
+        v[high[axis]] += factor * std::abs(d[axis]);
+      }
+    });
   }
   /// v += factor · b_e.
   template <class Real>
   void add_spring(std::size_t spring, Real factor, Real* v) const noexcept {
-    const Ends& s = ends_[spring];
-    v[s.x1] -= factor * s.dx;
-    v[s.y1] -= factor * s.dy;
-    v[s.x2] += factor * s.dx;
-    v[s.y2] += factor * s.dy;
+    with_dimension(numbering_.dimension, [&](auto dimension) {
+      const auto [d, low, high] = ends_of<dimension()>(spring);
+      for (std::size_t axis = 0; axis < dimension(); ++axis) {
+        v[low[axis]] -= factor * d[axis];
+        v[high[axis]] += factor * d[axis];
+      }
+    });
   }
-  /// Sets the four places of a spring to zero: undoes add_spring on a vector of zeros.
+  /// Sets a spring's places to zero: undoes add_spring on a vector of zeros.
   void clear_spring(std::size_t spring, double* v) const noexcept {
-    const Ends& s = ends_[spring];
-    v[s.x1] = v[s.y1] = v[s.x2] = v[s.y2] = 0.0;
+    const std::size_t count = 2 * numbering_.dimension;
+    for (std::size_t k = 0; k < count; ++k) v[places_[spring * count + k]] = 0.0;
   }
   /// Rank of a place among the free freedoms, ascending: where its residual stands within its load.
   [[nodiscard]] std::size_t residual_at(std::size_t place) const noexcept { return residual_[place]; }
@@ -99,10 +114,16 @@ class EquilibriumGroup {
   [[nodiscard]] bool has_prescribed_motion() const noexcept { return moved_supports_; }
 
  private:
+  // A spring's direction, and the places of its two ends' freedoms.
   struct Ends {
-    double dx, dy;
-    std::uint32_t x1, y1, x2, y2;
+    const double* direction;
+    const std::uint32_t *low, *high;
   };
+  template <std::size_t D>
+  [[nodiscard]] Ends ends_of(std::size_t spring) const noexcept {
+    const std::uint32_t* low = places_.data() + 2 * D * spring;
+    return {directions_.data() + D * spring, low, low + D};
+  }
   struct Term {
     std::uint32_t spring;
     double factor;
@@ -112,6 +133,7 @@ class EquilibriumGroup {
   void gather_terms(const Scene& scene);
   void place_loads(const Scene& scene, std::size_t group);
 
+  Freedoms numbering_;
   double displacement_unit_;
   std::string flaw_;
   std::vector<Support> supports_;
@@ -119,11 +141,13 @@ class EquilibriumGroup {
   std::size_t free_ = 0;
   CholeskyPattern pattern_;
   std::vector<std::size_t> place_, freedom_, residual_;
-  std::vector<double> prescribed_;  // [2·nodes] placed, 0 on free freedoms
+  std::vector<double> prescribed_;  // [freedoms] placed, 0 on free freedoms
   bool moved_supports_ = false;
-  std::vector<double> weights_;  // [2·nodes] placed
+  std::vector<double> weights_;  // [freedoms] placed
   std::vector<Load> loads_;
-  std::vector<Ends> ends_;
+  std::size_t springs_ = 0;
+  std::vector<double> directions_;          // [springs][dimension]
+  std::vector<std::uint32_t> places_;       // [springs][two ends][dimension]
   std::vector<std::uint32_t> term_begins_;  // values[i] = Σ over its terms of factor · k
   std::vector<Term> terms_;
 };
@@ -152,9 +176,9 @@ class Equilibrium {
   /// object is used.
   [[nodiscard]] Status factorize(std::span<const double> stiffness);
   /// After not_positive_definite: the node that gives way.
-  [[nodiscard]] std::size_t failed_node() const { return group_.freedom_at(failed_position_) / 2; }
+  [[nodiscard]] std::size_t failed_node() const { return group_.node_at(failed_position_); }
   /// The node whose freedom lost most digits in the last factorization that was ok.
-  [[nodiscard]] std::size_t weakest_node() const { return group_.freedom_at(factor_.weakest_pivot().position) / 2; }
+  [[nodiscard]] std::size_t weakest_node() const { return group_.node_at(factor_.weakest_pivot().position); }
   /// Displacements of all loads by one solve, corrected once where the pivots say that digits were lost, and refined to
   /// the end where that correction is large: `ill_conditioned` when even that doesn't settle.
   [[nodiscard]] Status solve_loads();
@@ -164,7 +188,7 @@ class Equilibrium {
   /// reached, or when not even the first digit was right; not_positive_definite when a pivot was nothing but rounding.
   [[nodiscard]] Refinement refine();
 
-  /// Placed displacements of a load of the group: [2·nodes].
+  /// Placed displacements of a load of the group: [freedoms].
   [[nodiscard]] std::span<double> displacement(std::size_t load) noexcept {
     return std::span(displacements_).subspan(load * group_.freedoms(), group_.freedoms());
   }
@@ -177,7 +201,7 @@ class Equilibrium {
   /// Solves in `count` columns, with the work counted.
   [[nodiscard]] std::span<const double> solve(std::size_t count);
   [[nodiscard]] const Work& work() const noexcept { return work_; }
-  /// A vector of zeros, [2·nodes], to work in until the next call.
+  /// A vector of zeros, [freedoms], to work in until the next call.
   [[nodiscard]] std::span<double> scratch() noexcept {
     std::ranges::fill(scratch_, 0.0);
     return scratch_;
@@ -193,9 +217,9 @@ class Equilibrium {
   const EquilibriumGroup& group_;
   Cholesky factor_;
   std::span<const double> stiffness_;
-  std::vector<double> displacements_;                   // [loads][2·nodes]
-  std::vector<double> residual_, magnitude_, scratch_;  // [2·nodes]
-  std::vector<long double> long_residual_;              // [2·nodes]
+  std::vector<double> displacements_;                   // [loads][freedoms]
+  std::vector<double> residual_, magnitude_, scratch_;  // [freedoms]
+  std::vector<long double> long_residual_;              // [freedoms]
   std::span<const double> correction_;                  // of the last refinement step, until the next solve
   double last_residual_ = 0.0;
   double first_correction_ = 0.0;  // by solve_loads; 0 when it saw no need

@@ -2,7 +2,9 @@
 #include <nodal/elastic/extended_equilibrium.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
 #include <numeric>
 #include <stdexcept>
 
@@ -15,19 +17,17 @@ namespace {
 // 50 digits: a condition of 1e30 leaves twenty, and 30 are enough for doubles whose squares are summed.
 using Extended = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>, boost::multiprecision::et_off>;
 
-// Nodes along the longer side of what they fill: the envelope is then as narrow as the shorter side.
+// Nodes along the longest side of what they fill: the envelope is then as narrow as what lies across.
 std::vector<std::size_t> order_of(const Net& net) {
-  Point low = net.nodes.at(0), high = low;
-  for (const Point& p : net.nodes)
-    for (std::size_t axis : {0u, 1u}) {
-      low[axis] = std::min(low[axis], p[axis]);
-      high[axis] = std::max(high[axis], p[axis]);
-    }
-  const std::size_t along = high[0] - low[0] >= high[1] - low[1] ? 0 : 1;
+  const Extent extent = extent_of(net.nodes);
+  std::array<std::size_t, 3> axes = {0, 1, 2};
+  std::ranges::stable_sort(axes, std::greater(), [&](std::size_t axis) { return extent.along(axis); });
   std::vector<std::size_t> order(net.nodes.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::ranges::stable_sort(
-      order, {}, [&](std::size_t node) { return std::pair(net.nodes[node][along], net.nodes[node][1 - along]); });
+  std::ranges::stable_sort(order, {}, [&](std::size_t node) {
+    const Vector& p = net.nodes[node];
+    return std::array{p[axes[0]], p[axes[1]], p[axes[2]]};
+  });
   return order;
 }
 
@@ -73,14 +73,18 @@ class Envelope {
 class ExtendedGroup {
  public:
   ExtendedGroup(const Scene& scene, std::size_t group, std::span<const double> stiffness)
-      : scene_(scene), group_(group), unknown_(2 * scene.net.nodes.size(), 0), held_(unknown_.size(), 0) {
+      : scene_(scene),
+        group_(group),
+        freedoms_(scene.net.freedoms()),
+        unknown_(freedoms_.size(), 0),
+        held_(unknown_.size(), 0) {
     for (const Support& s : scene.loads.groups.at(group).supports) {
-      unknown_[2 * s.node + s.axis] = kFixed;
-      held_[2 * s.node + s.axis] = s.value;
+      unknown_[freedoms_.at(s.node, s.axis)] = kFixed;
+      held_[freedoms_.at(s.node, s.axis)] = s.value;
     }
     for (const std::size_t node : order_of(scene.net))
-      for (const std::size_t freedom : {2 * node, 2 * node + 1})
-        if (unknown_[freedom] != kFixed) unknown_[freedom] = free_++;
+      for (std::size_t axis = 0; axis < freedoms_.dimension; ++axis)
+        if (std::size_t& unknown = unknown_[freedoms_.at(node, axis)]; unknown != kFixed) unknown = free_++;
     stiffness_ = stiffness;
   }
 
@@ -114,42 +118,50 @@ class ExtendedGroup {
  private:
   static constexpr std::size_t kFixed = static_cast<std::size_t>(-1);
 
+  // The freedoms that a spring joins, first those of its first end.
+  std::vector<std::size_t> freedoms_of(const Spring& s) const {
+    std::vector<std::size_t> joined;
+    for (const std::size_t node : {s.first, s.second})
+      for (std::size_t axis = 0; axis < freedoms_.dimension; ++axis) joined.push_back(freedoms_.at(node, axis));
+    return joined;
+  }
+
   std::vector<std::size_t> first_nonzeros() const {
     std::vector<std::size_t> first(free_);
     std::iota(first.begin(), first.end(), std::size_t{0});
-    for (const Spring& s : scene_.net.springs)
-      for (const std::size_t a : {2 * s.first, 2 * s.first + 1, 2 * s.second, 2 * s.second + 1})
-        for (const std::size_t b : {2 * s.first, 2 * s.first + 1, 2 * s.second, 2 * s.second + 1})
+    for (const Spring& s : scene_.net.springs) {
+      const std::vector<std::size_t> joined = freedoms_of(s);
+      for (const std::size_t a : joined)
+        for (const std::size_t b : joined)
           if (unknown_[a] != kFixed && unknown_[b] != kFixed)
             first[unknown_[a]] = std::min(first[unknown_[a]], unknown_[b]);
+    }
     return first;
   }
 
   // Every entry of K that a spring adds to, both triangles.
   template <class Visit>
   void for_each_entry(Visit visit) const {
+    const std::size_t d = freedoms_.dimension;
     for (std::size_t e = 0; e < scene_.net.springs.size(); ++e) {
       const Spring& s = scene_.net.springs[e];
-      const std::size_t freedom[] = {2 * s.first, 2 * s.first + 1, 2 * s.second, 2 * s.second + 1};
-      const Extended b[] = {-s.direction[0], -s.direction[1], s.direction[0], s.direction[1]};
-      for (std::size_t p = 0; p < 4; ++p)
-        for (std::size_t q = 0; q < 4; ++q) visit(freedom[p], freedom[q], stiffness_[e] * b[p] * b[q]);
+      const std::vector<std::size_t> freedom = freedoms_of(s);
+      const auto b = [&](std::size_t p) { return Extended(p < d ? -s.direction[p] : s.direction[p - d]); };
+      for (std::size_t p = 0; p < freedom.size(); ++p)
+        for (std::size_t q = 0; q < freedom.size(); ++q) visit(freedom[p], freedom[q], stiffness_[e] * b(p) * b(q));
     }
   }
 
   const Scene& scene_;
   std::size_t group_, free_ = 0;
+  Freedoms freedoms_;
   std::span<const double> stiffness_;
   std::vector<std::size_t> unknown_;
   std::vector<double> held_;
 };
 
 double weight_of(const Scene& scene, std::size_t group, std::size_t freedom) {
-  const std::size_t node = freedom / 2;
-  const double of_node = scene.net.on_corner(node)   ? scene.weights.corner
-                         : scene.net.on_border(node) ? scene.weights.border
-                                                     : scene.weights.inner;
-  return of_node * scene.loads.groups[group].weight(freedom);
+  return scene.weight_of(scene.net.freedoms().node_of(freedom)) * scene.loads.groups[group].weight(freedom);
 }
 
 bool all_finite(const Scene& scene, std::span<const double> stiffness) {

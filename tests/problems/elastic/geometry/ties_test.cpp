@@ -56,7 +56,7 @@ TEST(Ties, MinimalSupportsOfABodyMovedAreTheSameNodes) {
       for (const double x : kOffsets) {
         Net net;
         net.body = regular_body({x * scale, -0.7 * x * scale}, scale, sides, 0.3);
-        net.nodes = net.body.rings[0];
+        net.nodes = lifted(net.body.rings[0]);
         find_border(net);
         const LoadSet loads = make_plate_loads(net, {}, 1.0, SupportStyle::minimal);
         std::vector<std::size_t> held;

@@ -110,7 +110,7 @@ TEST_P(Reference, BearingForcesBalanceTheLoads) {
     std::array<double, 2> sum = {0.0, 0.0};
     double moment = 0.0, most = 0.0;
     const auto add = [&](std::size_t node, std::size_t axis, double force) {
-      const Point& p = problem->net().nodes[node];
+      const Vector& p = problem->net().nodes[node];
       sum[axis] += force;
       moment += axis == 0 ? -p[1] * force : p[0] * force;
       most = std::max(most, std::abs(force));

@@ -139,7 +139,7 @@ TEST_F(WrittenNodes, OfSixDecimalsAreOnACircleAllRound) {
     const auto problem = disc(format);
     const std::vector<double> u = start_displacement(*problem);
     for (std::size_t i = 0; i < 32; ++i) {
-      const Point& at = problem->net().nodes[i];
+      const Vector& at = problem->net().nodes[i];
       const double inwards = -(u[2 * i] * at[0] + u[2 * i + 1] * at[1]) / std::hypot(at[0], at[1]);
       EXPECT_NEAR(inwards, i % 2 == 0 ? 4.2612 : 3.3528, 2e-4) << format << ", node " << i;
     }

@@ -37,7 +37,7 @@ double moment_error(const std::vector<Point>& points, const std::vector<double>&
 }
 
 std::vector<Point> grid(std::size_t columns, std::size_t rows, const Point& corner, const Point& size) {
-  return make_grid_net(rectangle_body(corner, size), columns, rows, "crossed").nodes;
+  return in_plane(make_grid_net(rectangle_body(corner, size), columns, rows, "crossed").nodes);
 }
 
 std::vector<Point> random_points(std::size_t count, std::uint64_t seed, const Point& corner = {0, 0}, double size = 1) {

@@ -12,10 +12,10 @@ namespace {
 TEST(Grid, IsNumberedRowByRowFromTheLowerLeft) {
   const Net net = make_grid_net(rectangle_body({1.0, 2.0}, {3.0, 1.0}), 4, 3, "crossed");
   ASSERT_EQ(net.nodes.size(), 12u);
-  EXPECT_EQ(net.nodes[0], (Point{1.0, 2.0}));
-  EXPECT_EQ(net.nodes[3], (Point{4.0, 2.0}));
-  EXPECT_EQ(net.nodes[4], (Point{1.0, 2.5}));
-  EXPECT_EQ(net.nodes[11], (Point{4.0, 3.0}));
+  EXPECT_EQ(net.nodes[0], (Vector{1.0, 2.0}));
+  EXPECT_EQ(net.nodes[3], (Vector{4.0, 2.0}));
+  EXPECT_EQ(net.nodes[4], (Vector{1.0, 2.5}));
+  EXPECT_EQ(net.nodes[11], (Vector{4.0, 3.0}));
 }
 
 // Axial springs: (c−1)r + c(r−1); one or two diagonals per cell.

@@ -21,7 +21,7 @@ using std::numbers::pi;
 Net net_of(std::vector<Point> nodes, const std::vector<std::array<std::size_t, 2>>& pairs) {
   Net net;
   net.topology = "test";
-  net.nodes = std::move(nodes);
+  net.nodes = lifted(nodes);
   for (const auto& [i, j] : pairs) net.springs.push_back(make_spring(net.nodes, i, j));
   return net;
 }
@@ -57,9 +57,9 @@ Net random_net(std::size_t count, std::uint64_t seed) {
 }
 
 Net turned(Net net, double angle, const Point& by, double scale = 1.0) {
-  for (Point& p : net.nodes)
+  for (Vector& p : net.nodes)
     p = {by[0] + scale * (std::cos(angle) * p[0] - std::sin(angle) * p[1]),
-         by[1] + scale * (std::sin(angle) * p[0] + std::cos(angle) * p[1])};
+         by[1] + scale * (std::sin(angle) * p[0] + std::cos(angle) * p[1]), 0.0};
   for (Spring& s : net.springs) s = make_spring(net.nodes, s.first, s.second);
   net.grid = {};
   return net;
@@ -88,7 +88,7 @@ std::string refusal(const Net& net, const ParameterRule& rule) {
   return "accepted";
 }
 
-std::size_t order(const Net& net) { return find_symmetry(net.nodes, net.springs).order(); }
+std::size_t order(const Net& net) { return find_symmetry(in_plane(net.nodes), net.springs).order(); }
 
 // ── symmetric ───────────────────────────────────────────────────────────────────────────────────────────────────────
 
@@ -127,7 +127,7 @@ TEST(Symmetry, CanBeOfTurnsOnly) {
     pairs.push_back({i, n + (i + 1) % n});
   }
   const Net net = net_of(nodes, pairs);
-  const Symmetry symmetry = find_symmetry(net.nodes, net.springs);
+  const Symmetry symmetry = find_symmetry(in_plane(net.nodes), net.springs);
   EXPECT_EQ(symmetry.rotations, 9u);
   EXPECT_EQ(symmetry.reflections, 0u);
   EXPECT_EQ(Parameters(net, "symmetric").size(), 3u);
@@ -231,7 +231,7 @@ TEST(Directions, OfOneClassDifferByNoMoreThanTheTolerance) {
       for (std::size_t g = 0; g < parameters.size(); ++g)
         for (const std::size_t a : parameters.springs_of(g))
           for (const std::size_t b : parameters.springs_of(g)) {
-            const Point &p = net.springs[a].direction, &q = net.springs[b].direction;
+            const Vector &p = net.springs[a].direction, &q = net.springs[b].direction;
             const double between = std::asin(std::min(1.0, std::abs(p[0] * q[1] - p[1] * q[0]))) * 180.0 / pi;
             EXPECT_LE(between, tolerance + 1e-6);
           }

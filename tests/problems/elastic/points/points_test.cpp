@@ -43,7 +43,7 @@ TEST(ExactGrid, OfARectangleIsTheGridNet) {
   for (const char* topology : {"single", "alternating", "crossed"}) {
     const Net net = make_grid_net(body, 7, 5, topology);
     const GridPoints grid = make_exact_grid(outline, {0.5, 0.5}, GridCells::rectangular);
-    ASSERT_EQ(grid.points.points, net.nodes);
+    ASSERT_EQ(lifted(grid.points.points), net.nodes);
     for (std::size_t i = 0; i < net.nodes.size(); ++i) EXPECT_EQ(grid.points.places[i].kind, net.kinds[i]);
     const auto springs = join_grid(outline, grid, topology);
     ASSERT_EQ(springs.size(), net.springs.size());

@@ -142,7 +142,7 @@ class Copy {
     for (Ring& ring : net.body.rings)
       for (Point& p : ring) p = place(p);
     for (std::size_t i = 0; i < node_.size(); ++i) {
-      net.nodes[node_[i]] = place(from.nodes[i]);
+      net.nodes[node_[i]] = lifted(place(in_plane(from.nodes[i])));
       net.kinds[node_[i]] = from.kinds[i];
     }
     for (std::vector<std::size_t>& outline : net.outlines)

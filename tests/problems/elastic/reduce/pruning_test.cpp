@@ -42,7 +42,7 @@ TEST(Pruning, KeepsWhatTheNetNeedsToBeRigid) {
   std::vector<double> k(plate->net().springs.size(), 1.0);
   std::size_t soft = 0;
   for (std::size_t e = 0; e < k.size(); ++e) {
-    const Point& d = plate->net().springs[e].direction;
+    const Vector& d = plate->net().springs[e].direction;
     if (d[0] != 0.0 && d[1] != 0.0) k[e] = kLower * (1.0 + 1e-6 * static_cast<double>(e)), ++soft;
   }
   const Pruned pruned = prune(*plate, k);
@@ -50,12 +50,12 @@ TEST(Pruning, KeepsWhatTheNetNeedsToBeRigid) {
   EXPECT_EQ(soft, 32u);
   EXPECT_EQ(pruned.kept_soft.size(), 7u);
   EXPECT_EQ(pruned.removed.size(), 25u);
-  EXPECT_TRUE(free_rigidity(pruned.problem->net().nodes, pruned.problem->net().springs).is_rigid());
+  EXPECT_TRUE(free_rigidity(structure_of(pruned.problem->net())).is_rigid());
   for (std::size_t leave = 0; leave < pruned.kept_soft.size(); ++leave) {
     std::vector<Spring> without = pruned.problem->net().springs;
     const Spring& one = plate->net().springs[pruned.kept_soft[leave]];
     std::erase_if(without, [&](const Spring& s) { return s.first == one.first && s.second == one.second; });
-    EXPECT_FALSE(free_rigidity(plate->net().nodes, without).is_rigid());
+    EXPECT_FALSE(free_rigidity({2, plate->net().nodes, without}).is_rigid());
   }
 }
 
@@ -64,7 +64,7 @@ TEST(Pruning, StopsWhereTheErrorWouldGrowTooMuch) {
   const auto plate = make_plate({.bounds = "[0.36, 10.0]"});
   std::vector<double> k(plate->net().springs.size(), 0.75);
   for (std::size_t e = 0; e < k.size(); ++e) {
-    const Point& d = plate->net().springs[e].direction;
+    const Vector& d = plate->net().springs[e].direction;
     if (d[0] != 0.0 && d[1] != 0.0) k[e] = 0.36;
   }
   std::size_t fewer = 0;

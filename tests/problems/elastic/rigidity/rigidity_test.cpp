@@ -18,11 +18,13 @@ namespace nodal::elastic {
 namespace {
 
 struct Frame {
-  std::vector<Point> nodes;
+  std::vector<Vector> nodes;
   std::vector<Spring> springs;
 
   void join(std::size_t i, std::size_t j) { springs.push_back(make_spring(nodes, i, j)); }
 };
+
+Structure plane(const Frame& frame) { return {2, frame.nodes, frame.springs}; }
 
 Frame grid(std::size_t columns, std::size_t rows, const char* topology, const Point& corner = {0, 0}) {
   const Body body = rectangle_body(corner, {static_cast<double>(columns - 1), static_cast<double>(rows - 1)});
@@ -97,13 +99,13 @@ void expect_consistent(const Rigidity& r, const Frame& frame, const std::vector<
 }
 
 Rigidity of(const Frame& frame, const std::vector<std::size_t>& fixed) {
-  const Rigidity r = rigidity(frame.nodes, frame.springs, fixed);
+  const Rigidity r = rigidity(plane(frame), fixed);
   expect_consistent(r, frame, fixed);
   return r;
 }
 
 Rigidity of_free(const Frame& frame) {
-  const Rigidity r = free_rigidity(frame.nodes, frame.springs);
+  const Rigidity r = free_rigidity(plane(frame));
   expect_consistent(r, frame, {});
   return r;
 }
@@ -203,7 +205,7 @@ TEST(Rigidity, CallsASliverRigidAndShowsIt) {
   frame.nodes = {{0, 0}, {2, 0}, {1, 1e-6}};
   frame.join(0, 2);
   frame.join(1, 2);
-  const Rigidity sliver = rigidity(frame.nodes, frame.springs, {0, 1, 2, 3});
+  const Rigidity sliver = rigidity(plane(frame), {0, 1, 2, 3});
   EXPECT_TRUE(sliver.is_rigid());
   EXPECT_LT(sliver.smallest, 1e-5);
   EXPECT_GT(sliver.smallest, 1e-7);
@@ -211,7 +213,7 @@ TEST(Rigidity, CallsASliverRigidAndShowsIt) {
   frame.springs.clear();
   frame.join(0, 2);
   frame.join(1, 2);
-  EXPECT_EQ(rigidity(frame.nodes, frame.springs, {0, 1, 2, 3}).mechanisms, 1u);
+  EXPECT_EQ(rigidity(plane(frame), {0, 1, 2, 3}).mechanisms, 1u);
 }
 
 TEST(Rigidity, SeesPiecesThatNothingJoins) {
@@ -233,10 +235,11 @@ TEST(Rigidity, HasItsEnds) {
   EXPECT_TRUE(of_free({.nodes = {{0, 0}}, .springs = {}}).is_rigid());
   EXPECT_TRUE(of(two, {0, 1, 2, 3}).is_rigid());
   EXPECT_EQ(of(two, {0, 1, 2}).moving, Nodes{1});
-  EXPECT_THROW((void)rigidity({}, {}, {}), std::invalid_argument);
-  EXPECT_THROW((void)rigidity(two.nodes, {}, {4}), std::invalid_argument);
-  EXPECT_THROW((void)rigidity(two.nodes, {{0, 2, 1.0, {1, 0}}}, {}), std::invalid_argument);
-  EXPECT_THROW((void)rigidity({{0, 0}, {0, 0}}, {make_spring({{0, 0}, {0, 0}}, 0, 1)}, {}), std::invalid_argument);
+  EXPECT_THROW((void)rigidity(plane({}), {}), std::invalid_argument);
+  EXPECT_THROW((void)rigidity(plane(two), {4}), std::invalid_argument);
+  EXPECT_THROW((void)rigidity(plane({two.nodes, {{0, 2, 1.0, {1, 0}}}}), {}), std::invalid_argument);
+  EXPECT_THROW((void)rigidity(plane({{{0, 0}, {0, 0}}, {make_spring({{0, 0}, {0, 0}}, 0, 1)}}), {}),
+               std::invalid_argument);
 }
 
 // Nodes at random, joined to their nearest ones: rigid, loose and in pieces, all kinds.
@@ -267,15 +270,15 @@ TEST(Rigidity, AgreesWithADenseDecompositionOfRandomNets) {
 
 // Far more motions than are shown, and the size that nets go to.
 TEST(Rigidity, GoesToTenThousandNodes) {
-  EXPECT_TRUE(free_rigidity(grid(100, 100, "single").nodes, grid(100, 100, "single").springs).is_rigid());
-  EXPECT_TRUE(free_rigidity(grid(2, 5000, "single").nodes, grid(2, 5000, "single").springs).is_rigid());
+  EXPECT_TRUE(free_rigidity(plane(grid(100, 100, "single"))).is_rigid());
+  EXPECT_TRUE(free_rigidity(plane(grid(2, 5000, "single"))).is_rigid());
   const Frame bare = grid(100, 100, "grid");
-  const Rigidity r = free_rigidity(bare.nodes, bare.springs);
+  const Rigidity r = free_rigidity(plane(bare));
   EXPECT_EQ(r.mechanisms, 197u);
   EXPECT_EQ(r.motions.size(), kShownMotions);
   EXPECT_LT(r.elongation, 1e-9);
   Frame hinged = joined(grid(90, 100, "crossed"), grid(10, 100, "crossed", {89, 99}), {{0, 8999}});
-  const Rigidity hinge = free_rigidity(hinged.nodes, hinged.springs);
+  const Rigidity hinge = free_rigidity(plane(hinged));
   EXPECT_EQ(hinge.mechanisms, 1u);
   EXPECT_EQ(hinge.moving.size(), 999u);
   EXPECT_EQ(hinge.moving.front(), 9000u);

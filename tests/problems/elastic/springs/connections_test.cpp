@@ -84,7 +84,8 @@ constexpr const char* kNotched =
 void expect_within(const Net& net) {
   const Outline outline(net.body);
   for (const Spring& s : net.springs)
-    EXPECT_TRUE(outline.covers(net.nodes[s.first], net.nodes[s.second])) << s.first << "-" << s.second;
+    EXPECT_TRUE(outline.covers(in_plane(net.nodes[s.first]), in_plane(net.nodes[s.second])))
+        << s.first << "-" << s.second;
 }
 
 TEST(Connections, NearestDoesNotReachAcrossANotch) {
@@ -110,7 +111,7 @@ TEST_P(Triangulated, NetsStayInTheBodyAndCarryItsEnergy) {
     if (net->net().triangles.empty()) continue;
     double area = 0.0, sum = 0.0;
     for (const Triangle& t : net->net().triangles) {
-      const Point &a = net->net().nodes[t[0]], &b = net->net().nodes[t[1]], &c = net->net().nodes[t[2]];
+      const Vector &a = net->net().nodes[t[0]], &b = net->net().nodes[t[1]], &c = net->net().nodes[t[2]];
       area += 0.5 * ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]));
     }
     const std::vector<double> k = area_stiffness(net->net(), {.young = 2.0});
@@ -128,7 +129,7 @@ TEST(Connections, RegionsThatTouchAreDelaunayNeighbours) {
   if (!triangulation_available()) GTEST_SKIP() << "needs CGAL";
   const auto regions = problem("{ size = [2, 1] }", "{ layout = \"voronoi\", total = 80, iterations = 3 }",
                                "{ topology = \"voronoi-neighbours\" }");
-  const Neighbours neighbours = delaunay_neighbours(regions->net().nodes);
+  const Neighbours neighbours = delaunay_neighbours(in_plane(regions->net().nodes));
   for (const Spring& s : regions->net().springs) {
     const auto of = neighbours.of(s.first);
     EXPECT_TRUE(std::ranges::find(of, s.second) != of.end());

@@ -29,7 +29,7 @@ std::vector<double> random_stiffness(const Scene& scene, double decades, std::ui
 // Springs of the right half `contrast` times softer.
 std::vector<double> half_soft(const Scene& scene, double contrast) {
   std::vector<double> k(scene.net.springs.size(), 1.0);
-  const double middle = bounding_box(scene.net.nodes).width() / 2;
+  const double middle = extent_of(scene.net.nodes).along(0) / 2;
   for (std::size_t e = 0; e < k.size(); ++e) {
     const Spring& s = scene.net.springs[e];
     if (scene.net.nodes[s.first][0] + scene.net.nodes[s.second][0] > 2 * middle) k[e] = 1.0 / contrast;
@@ -85,7 +85,7 @@ TEST(Stability, ARefusedSolveSaysHowMuchWasLost) {
   const auto plate = make_plate({.counts = "[8, 8]"});
   std::vector<double> k(plate->net().springs.size(), 1.0);
   for (std::size_t e = 0; e < k.size(); ++e) {
-    const Point& d = plate->net().springs[e].direction;
+    const Vector& d = plate->net().springs[e].direction;
     if (d[0] * d[1] != 0.0) k[e] = 1e-14;
   }
   const State state = plate->solve(k);
@@ -175,7 +175,7 @@ TEST(Stability, IsReciprocalAtAnyContrast) {
 TEST(Stability, ARigidMotionNeedsNoForce) {
   Scene scene = make_plate({.supports = "minimal"})->scene();
   const auto rigid = [&](std::size_t node, std::size_t axis) {
-    const Point& p = scene.net.nodes[node];
+    const Vector& p = scene.net.nodes[node];
     return axis == 0 ? 0.3 - 0.125 * p[1] : -0.2 + 0.125 * p[0];
   };
   for (Support& s : scene.loads.groups[0].supports) s.value = rigid(s.node, s.axis);

@@ -21,11 +21,11 @@ namespace nodal::elastic {
 struct Spring {
   std::size_t first = 0, second = 0;
   double length = 0.0;
-  Point direction = {0.0, 0.0};
+  Vector direction{};
 };
 
 /// The spring between two nodes.
-[[nodiscard]] Spring make_spring(const std::vector<Point>& nodes, std::size_t i, std::size_t j);
+[[nodiscard]] Spring make_spring(const std::vector<Vector>& nodes, std::size_t i, std::size_t j);
 
 enum class NodeKind : std::uint8_t { inner, border, corner };
 
@@ -54,10 +54,11 @@ struct VoronoiStep {
 };
 
 struct Net {
+  std::size_t dimension = 2;
   Body body;
   Grid grid;
   std::string topology;
-  std::vector<Point> nodes;
+  std::vector<Vector> nodes;
   std::vector<Spring> springs;
   std::vector<Triangle> triangles;                 ///< counterclockwise, where springs are the sides of triangles
   std::vector<NodeKind> kinds;                     ///< [nodes]; all inner while empty
@@ -70,6 +71,7 @@ struct Net {
   std::vector<std::string> remarks;      ///< what was mended, dropped or found on the way here
   std::vector<std::int64_t> ids;         ///< [nodes]: what a file of the user's calls them; empty for 0, 1, 2, …
 
+  [[nodiscard]] Freedoms freedoms() const noexcept { return {dimension, nodes.size()}; }
   /// What people call a node.
   [[nodiscard]] std::int64_t id(std::size_t node) const {
     return ids.empty() ? static_cast<std::int64_t>(node) : ids[node];

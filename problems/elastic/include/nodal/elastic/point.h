@@ -8,11 +8,19 @@
 #include <array>
 #include <vector>
 
+#include <nodal/elastic/vector.h>
+
 namespace nodal::elastic {
 
 using Point = std::array<double, 2>;
 
 /// A closed polygon: the last vertex is joined to the first, which isn't repeated.
 using Ring = std::vector<Point>;
+
+/// A position of a plane net, whose third component is 0, and back.
+[[nodiscard]] inline Point in_plane(const Vector& v) { return {v[0], v[1]}; }
+[[nodiscard]] inline Vector lifted(const Point& p) { return {p[0], p[1], 0.0}; }
+[[nodiscard]] std::vector<Point> in_plane(const std::vector<Vector>& positions);
+[[nodiscard]] std::vector<Vector> lifted(const std::vector<Point>& points);
 
 }  // namespace nodal::elastic

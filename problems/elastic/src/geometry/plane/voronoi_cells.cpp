@@ -19,13 +19,13 @@ namespace {
 constexpr std::size_t kOutlineLabel = std::numeric_limits<std::size_t>::max();
 constexpr double kTooNear = 1e-12;
 
-struct Extent {
+struct Surroundings {
   Box box;  // about the origin of the body
   double radius = 0.0;
 };
 
-Extent extent_of(const ClippedRegion& region, const Point& node) {
-  Extent extent{{node, node}, 0.0};
+Surroundings surroundings_of(const ClippedRegion& region, const Point& node) {
+  Surroundings extent{{node, node}, 0.0};
   double squared = 0.0;
   for (const LabelledVertex& v : region.vertices()) {
     squared = std::max(squared, v.at[0] * v.at[0] + v.at[1] * v.at[1]);
@@ -91,7 +91,7 @@ bool VoronoiCells::cut(std::size_t node) {
   region_.clear();
   region_.add_ring(frame, p, kOutlineLabel);
   clip_by_neighbours(node);
-  const Extent extent = extent_of(region_, p);
+  const Surroundings extent = surroundings_of(region_, p);
   const double reach = extent.radius * (1.0 + 1e-9);
   if (outline_.distance(p, reach) >= reach) return false;
   cut_body(node, grown(extent.box, outline_.tolerance()));

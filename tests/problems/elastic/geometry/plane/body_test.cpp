@@ -288,14 +288,14 @@ TEST(Border, IsWhatLiesOnASideAndCornersAreItsCorners) {
     const double tolerance = outline_tolerance(body);
     Net net;
     net.body = body;
-    net.nodes = points_around(body, random);
+    net.nodes = lifted(points_around(body, random));
     find_border(net);
     for (std::size_t i = 0; i < net.nodes.size(); ++i) {
       bool corner = false;
       for (const Ring& ring : body.rings)
         for (const std::size_t c : corner_vertices(ring, body.corner_turn))
-          corner = corner || distance(net.nodes[i], ring[c]) <= tolerance;
-      EXPECT_EQ(net.on_border(i), distance_to_border(body, net.nodes[i]) <= tolerance) << i;
+          corner = corner || distance(in_plane(net.nodes[i]), ring[c]) <= tolerance;
+      EXPECT_EQ(net.on_border(i), distance_to_border(body, in_plane(net.nodes[i])) <= tolerance) << i;
       EXPECT_EQ(net.on_corner(i), corner) << i;
     }
   }
@@ -307,9 +307,9 @@ TEST(Border, ListsItsNodesAlongEachRing) {
   net.body = body;
   for (const Ring& ring : body.rings)  // backwards, sides before vertices
     for (std::size_t i = ring.size(); i-- > 0;) {
-      net.nodes.push_back(at_share(ring[i], ring[(i + 1) % 8], 0.75));
-      net.nodes.push_back(at_share(ring[i], ring[(i + 1) % 8], 0.25));
-      net.nodes.push_back(ring[i]);
+      net.nodes.push_back(lifted(at_share(ring[i], ring[(i + 1) % 8], 0.75)));
+      net.nodes.push_back(lifted(at_share(ring[i], ring[(i + 1) % 8], 0.25)));
+      net.nodes.push_back(lifted(ring[i]));
     }
   find_border(net);
   ASSERT_EQ(net.outlines.size(), 2u);
