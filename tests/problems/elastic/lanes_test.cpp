@@ -50,7 +50,7 @@ class Lanes : public testing::TestWithParam<Setup> {
     std::vector<double> placed;
     for (std::size_t place = 0; place < model_.groups[g]->freedoms(); ++place) {
       const std::size_t freedom = model_.groups[g]->freedom_at(place);
-      placed.push_back(pairs[structure.at(freedom / 2, freedom % 2, g)]);
+      placed.push_back(pairs[structure.at(freedom, g)]);
     }
     return placed;
   }
@@ -124,8 +124,9 @@ INSTANTIATE_TEST_SUITE_P(Everything, Lanes, testing::ValuesIn(setups()), [](cons
 });
 
 TEST(LaneKernels, AreRefusedByNameAndNumber) {
-  EXPECT_THROW((void)lane_kernels(3), std::invalid_argument);
-  EXPECT_THROW((void)lane_kernels(4, "mmx"), std::invalid_argument);
+  EXPECT_THROW((void)lane_kernels("auto", 2, 3), std::invalid_argument);
+  EXPECT_THROW((void)lane_kernels("mmx", 2, 4), std::invalid_argument);
+  EXPECT_THROW((void)lane_kernels("auto", 4, 4), std::invalid_argument);
   EXPECT_TRUE(lane_instructions().front().usable);
 }
 

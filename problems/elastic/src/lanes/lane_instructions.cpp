@@ -70,7 +70,8 @@ std::vector<LaneInstructions> lane_instructions() {
 
 std::string best_lane_instructions() { return best().name; }
 
-const LaneKernels& lane_kernels(std::size_t lanes, const std::string& instructions) {
+const LaneKernels& lane_kernels(const std::string& instructions, std::size_t dimension, std::size_t lanes) {
+  if (dimension != 2) throw std::invalid_argument("lanes have two dimensions");
   if (!std::has_single_bit(lanes) || lanes > 8) throw std::invalid_argument("lanes come in 1, 2, 4 or 8");
   return find(instructions).kernels[std::countr_zero(lanes)];
 }

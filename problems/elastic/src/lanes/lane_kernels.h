@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-/// The hot loops of annealing, for several support groups at once in the lanes of one vector.
+/// The hot loops of values, derivatives and annealing, for several support groups at once in the lanes of one vector.
 ///
-/// K is factored on the node graph in 2×2 blocks, K = L D Lᵀ, with D_j⁻¹ kept instead of D_j. A spring e changed by δ
+/// K is factored on the node graph in D×D blocks, K = L D Lᵀ, with D_j⁻¹ kept instead of D_j. A spring e changed by δ
 /// changes the factor along one path of the elimination tree. With w_j what is left of b when column j is reached,
 /// H_j = Σ_{i ≤ j} w_iᵀD_i⁻¹w_i and m_j = δ/(1 + δH_j) · D_j⁻¹w_j, one pass along the path does
 ///     D_j⁻¹ −= m_j (D_j⁻¹w_j)ᵀ,    w_i −= L_ij w_j,    L_ij += w_i m_jᵀ,
@@ -46,11 +46,11 @@ struct LaneFactored {
 struct LaneKernels {
   /// Assembles K(stiffness) and factors it.
   LaneFactored (*factorize)(const LaneView&, const double* stiffness);
-  /// x: [nodes] pairs, in place: K⁻¹x.
+  /// x: [nodes] vectors, in place: K⁻¹x.
   void (*solve)(const LaneView&, double* x);
   /// z = K⁻¹b_e by a path forward and a full backward pass.
   void (*solve_spring)(const LaneView&, std::uint32_t spring, double* z);
-  /// u = K⁻¹(force) of every slot, into [slots][nodes] pairs.
+  /// u = K⁻¹(force) of every slot, into [slots][nodes] vectors.
   void (*solve_loads)(const LaneView&, double* u);
   /// One refinement step of a slot's u: the residual force − Σ k_e b_e (b_e·u), spring by spring, solved for and added.
   /// The largest ‖δu‖/‖u‖ over the groups; infinity where that is no number. Works in view.y.

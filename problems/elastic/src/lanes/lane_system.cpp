@@ -28,7 +28,7 @@ LaneSystem::LaneSystem(const LaneStructure& structure, const LaneKernels& kernel
 
 LaneFactored LaneSystem::factorize(std::span<const double> stiffness) {
   if (blocks_.size() == 0) {
-    blocks_ = AlignedArray(4 * structure_.lanes() * structure_.graph().blocks());
+    blocks_ = AlignedArray(structure_.factor_size());
     view_.blocks = blocks_.data();
   }
   return kernels_.factorize(view_, stiffness.data());
@@ -52,9 +52,8 @@ void LaneSystem::take_displacements(const FullEvaluation& solved, double* u) con
     const EquilibriumGroup& group = solved.group(slot.group).group();
     const std::span<const double> placed = solved.group(slot.group).displacement(slot.slot);
     double* to = u + slot.slot * structure_.vector_size();
-    for (std::size_t node = 0; node < structure_.graph().nodes(); ++node)
-      for (const std::size_t axis : {0, 1})
-        to[structure_.at(node, axis, slot.lane)] = placed[group.place()[2 * node + axis]];
+    for (std::size_t freedom = 0; freedom < group.freedoms(); ++freedom)
+      to[structure_.at(freedom, slot.lane)] = placed[group.place()[freedom]];
   }
 }
 

@@ -35,7 +35,8 @@ Priced RefactorForm::price(const Change& change) {
     LaneSystem& system = systems_[s];
     const LaneFactored factored = system.factorize(proposed_);
     // What can't be trusted to a plain solve is left to CHOLMOD, which refines or says what is wrong.
-    if (!factored.fine || plain_solve_loses(2 * system.view().nodes, factored.smallest_pivot_ratio))
+    if (!factored.fine ||
+        plain_solve_loses(system.structure().dimension() * system.view().nodes, factored.smallest_pivot_ratio))
       return price_in_full();
     system.kernels().solve_loads(system.view(), displacements_[s].data());
     squared += system.kernels().squared_error(system.view(), displacements_[s].data());

@@ -33,10 +33,10 @@ class UpdownForm final : public TableForm {
   void solve_group(Group& group, std::size_t spring, double scale, double* z);
   // K⁻¹Wz of what a lane holds in view.z, into view.y.
   void solve_adjoint(Group& group);
-  void scatter(const Group& group, std::span<const double> placed, double* pairs) const;
+  void scatter(const Group& group, std::span<const double> placed, double* x) const;
 
   std::vector<std::unique_ptr<Group>> groups_;
-  std::vector<double> spread_;  // [2·nodes] zeros
+  std::vector<double> spread_;  // zeros, by freedoms
   Work work_;
 };
 
