@@ -65,26 +65,29 @@ struct Crossing {
 // `positions` maps rows to column j's blocks. Two columns with the same rows are taken at once.
 template <int G, int D>
 [[gnu::noinline, gnu::flatten]] void subtract_left(const LaneView& view, Index j, Index* positions) {
+  double* const blocks = view.blocks;  // a store of numbers might be one to the view, for all that a compiler knows
   for (Index p = view.begin[j]; p < view.begin[j + 1]; ++p) positions[view.row[p]] = p;
   for (Index r = view.row_begin[j]; r < view.row_begin[j + 1]; ++r) {
     const RowEntry& entry = view.row_entries[r];
     const Crossing<G, D> crossing(view, entry);
-    const Index count = view.begin[entry.column + 1] - entry.block;
+    const Index *row = view.row + entry.block, *end = view.row + view.begin[entry.column + 1];
+    const double* below = blocks + kBlock<G, D> * entry.block;
     if (view.twin[entry.column] && entry.column + 1 < j) {
       const RowEntry& twin = view.row_entries[++r];
       const Crossing<G, D> also(view, twin);
-      for (Index p = 0; p < count; ++p) {
-        double* to = block_at<G, D>(view, positions[view.row[entry.block + p]]);
+      const double* second = blocks + kBlock<G, D> * twin.block;
+      for (; row != end; ++row, below += kBlock<G, D>, second += kBlock<G, D>) {
+        double* to = blocks + kBlock<G, D> * positions[*row];
         Block<G, D> b = Block<G, D>::load(to);
-        crossing.take(b, load_block<G, D>(view, entry.block + p));
-        also.take(b, load_block<G, D>(view, twin.block + p));
+        crossing.take(b, Block<G, D>::load(below));
+        also.take(b, Block<G, D>::load(second));
         b.store(to);
       }
     } else {
-      for (Index p = 0; p < count; ++p) {
-        double* to = block_at<G, D>(view, positions[view.row[entry.block + p]]);
+      for (; row != end; ++row, below += kBlock<G, D>) {
+        double* to = blocks + kBlock<G, D> * positions[*row];
         Block<G, D> b = Block<G, D>::load(to);
-        crossing.take(b, load_block<G, D>(view, entry.block + p));
+        crossing.take(b, Block<G, D>::load(below));
         b.store(to);
       }
     }
@@ -102,14 +105,15 @@ template <int G, int D>
         factor[c][r] = r <= c ? spread<D>(axis<c>(inverse.column[r])) : spread<D>(axis<r>(inverse.column[c]));
       });
     });
-    for (Index p = view.begin[j] + 1; p < view.begin[j + 1]; ++p) {
-      const Block<G, D> a = load_block<G, D>(view, p);
+    double *at = block_at<G, D>(view, view.begin[j] + 1), *end = block_at<G, D>(view, view.begin[j + 1]);
+    for (; at != end; at += kBlock<G, D>) {
+      const Block<G, D> a = Block<G, D>::load(at);
       Block<G, D> l;
       for (int c = 0; c < D; ++c) {
         l.column[c] = a.column[0] * factor[c][0];
         for (int r = 1; r < D; ++r) l.column[c] = fma(a.column[r], factor[c][r], l.column[c]);
       }
-      l.store(block_at<G, D>(view, p));
+      l.store(at);
     }
   }
 }
@@ -131,6 +135,28 @@ inline Inverted<G, 2> invert(const Block<G, 2>& pivot, const Vec<G, 2>& diagonal
   return {{{vec<G>(yy * inverse, off), vec<G>(off, xx * inverse)}},
           least(xx / axis<0>(diagonal_of_k), determinant / (xx * axis<1>(diagonal_of_k))),
           xx.positive() && determinant.positive()};
+}
+
+// In space by LDLᵀ, which loses nothing to the differences of products that cofactors are.
+template <int G>
+inline Inverted<G, 3> invert(const Block<G, 3>& pivot, const Vec<G, 3>& diagonal_of_k) {
+  const Lane<G> one = Lane<G>::all(1.0), zero = Lane<G>::all(0.0);
+  const Vec<G, 3>&x = pivot.column[0], &y = pivot.column[1];
+  const Lane<G> first = axis<0>(x), by_first = one / first;
+  const Lane<G> l_yx = axis<1>(x) * by_first, l_zx = axis<2>(x) * by_first;
+  const Lane<G> second = fnma(l_yx, axis<1>(x), axis<1>(y)), by_second = one / second;
+  const Lane<G> zy = fnma(l_zx, axis<1>(x), axis<2>(y)), l_zy = zy * by_second;
+  const Lane<G> third = fnma(l_zy, zy, fnma(l_zx, axis<2>(x), axis<2>(pivot.column[2]))), by_third = one / third;
+  // L⁻¹ has −l_yx, −l_zy and m; the inverse is L⁻ᵀ D⁻¹ L⁻¹.
+  const Lane<G> m = fma(l_zy, l_yx, zero - l_zx);
+  const Lane<G> xz = m * by_third, yz = zero - l_zy * by_third;
+  const Lane<G> xy = fma(m, yz, zero - l_yx * by_second);
+  const Lane<G> xx = fma(m, xz, fma(l_yx, l_yx * by_second, by_first)), yy = fnma(l_zy, yz, by_second);
+  const Lane<G> ratio =
+      least(least(first / axis<0>(diagonal_of_k), second / axis<1>(diagonal_of_k)), third / axis<2>(diagonal_of_k));
+  return {{{vec<G>(xx, xy, xz), vec<G>(xy, yy, yz), vec<G>(xz, yz, by_third)}},
+          ratio,
+          first.positive() && second.positive() && third.positive()};
 }
 
 template <int G, int D>
@@ -180,13 +206,14 @@ template <int G, int D>
     for (int c = 0; c < D; ++c) inverse.column[c] = fnma(m, by_solved.of[c], inverse.column[c]);
     inverse.store(block_at<G, D>(view, view.begin[j]));
     const Axes<G, D> by_x(x), by_m(m);
-    for (Index p = view.begin[j] + 1; p < view.begin[j + 1]; ++p) {
-      double* to = at_node<G, D>(w, view.row[p]);
-      Block<G, D> l = load_block<G, D>(view, p);
+    const Index *row = view.row + view.begin[j] + 1, *end = view.row + view.begin[j + 1];
+    for (double* at = block_at<G, D>(view, view.begin[j] + 1); row != end; ++row, at += kBlock<G, D>) {
+      double* to = at_node<G, D>(w, *row);
+      Block<G, D> l = Block<G, D>::load(at);
       const Vec<G, D> left = subtract(Vec<G, D>::load(to), l, by_x);
       left.store(to);
       for (int c = 0; c < D; ++c) l.column[c] = fma(left, by_m.of[c], l.column[c]);
-      l.store(block_at<G, D>(view, p));
+      l.store(at);
     }
   }
   return fine;

@@ -9,7 +9,7 @@
 #include "full_evaluation.h"
 #include "lanes/lane_model.h"
 #include "lanes/lane_system.h"
-#include "plate.h"
+#include "../plate.h"
 
 namespace nodal::elastic {
 namespace {
