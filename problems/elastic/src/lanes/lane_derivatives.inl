@@ -10,19 +10,6 @@ namespace nodal::elastic::NODAL_LANE_NAMESPACE {
 
 namespace {
 
-// y += b_e times what each group has in `force`.
-template <int G, int D>
-inline void add_spring(const Ends<D>& s, const Lane<G>& force, double* y) {
-  const Vec<G, D> f = by_axis<G, D>([&](auto a) { return force * s.direction[a]; });
-  (load<G, D>(y, s.low) - f).store(at_node<G, D>(y, s.low));
-  (load<G, D>(y, s.high) + f).store(at_node<G, D>(y, s.high));
-}
-
-template <int G, int D>
-inline void hold(const LaneView& view, double* y) {
-  for (Index j = 0; j < view.nodes; ++j) (load<G, D>(y, j) * load<G, D>(view.free, j)).store(at_node<G, D>(y, j));
-}
-
 template <int G, int D>
 [[gnu::flatten]] double correct(const LaneView& view, const double* stiffness, Index slot, double* u) {
   double* y = view.y;
@@ -36,9 +23,9 @@ template <int G, int D>
   solve<G, D>(view, y);
   Product<G, D> step_sum = Product<G, D>::all(0.0), size_sum = step_sum;
   for (Index j = 0; j < view.nodes; ++j) {
-    const Vec<G, D> step = load<G, D>(y, j), before = load<G, D>(u, j);
+    const Vec<G, D> step = load<G, D>(y, j), before = load<G, D>(u, j), moving = before * load<G, D>(view.free, j);
     step_sum = add_product(step, step, step_sum);
-    size_sum = add_product(before, before, size_sum);
+    size_sum = add_product(moving, moving, size_sum);
     (before + step).store(at_node<G, D>(u, j));
   }
   const Lane<G> steps = total<G, D>(step_sum), sizes = total<G, D>(size_sum);

@@ -17,8 +17,7 @@ constexpr std::size_t kColumns = 16;
 }  // namespace
 
 bool values_by_lanes(const ElasticModel& model) {
-  const bool solvable = std::ranges::none_of(
-      model.groups, [](const auto& group) { return group->has_prescribed_motion() || !group->flaw().empty(); });
+  const bool solvable = std::ranges::all_of(model.groups, [](const auto& group) { return group->flaw().empty(); });
   return solvable && (model.scene.solver == "auto" || model.scene.solver == "lanes");
 }
 
@@ -52,7 +51,7 @@ std::optional<double> LaneEvaluation::solve(std::span<const double> stiffness) {
     if (!factored.fine) return std::nullopt;
     const LaneView& view = system.lanes.view();
     const LaneKernels& kernels = system.lanes.kernels();
-    kernels.solve_loads(view, system.u.data());
+    kernels.solve_loads(view, stiffness.data(), system.u.data());
     if (plain_solve_loses(system.lanes.structure().dimension() * view.nodes,
                           factored.smallest_pivot_ratio / kInverseLoss)) {
       ++solves_;

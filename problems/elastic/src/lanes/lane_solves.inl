@@ -32,9 +32,10 @@ inline Block<G, D> load_block(const LaneView& view, Index block) {
 template <int G, int D>
 inline void eliminate(const LaneView& view, Index j, const Vec<G, D>& x, double* w) {
   const Axes<G, D> axes(x);
-  for (Index p = view.begin[j] + 1; p < view.begin[j + 1]; ++p) {
-    double* at = at_node<G, D>(w, view.row[p]);
-    subtract(Vec<G, D>::load(at), load_block<G, D>(view, p), axes).store(at);
+  const Index *row = view.row + view.begin[j] + 1, *end = view.row + view.begin[j + 1];
+  for (const double* l = block_at<G, D>(view, view.begin[j] + 1); row != end; ++row, l += kBlock<G, D>) {
+    double* at = at_node<G, D>(w, *row);
+    subtract(Vec<G, D>::load(at), Block<G, D>::load(l), axes).store(at);
   }
 }
 
@@ -43,8 +44,9 @@ template <int G, int D>
 inline void eliminate_two(const LaneView& view, Index j, const Vec<G, D>& x, const Vec<G, D>& next, double* w) {
   const Axes<G, D> here(x), there(next);
   const double *first = block_at<G, D>(view, view.begin[j] + 2), *second = block_at<G, D>(view, view.begin[j + 1] + 1);
-  for (Index p = view.begin[j + 1] + 1; p < view.begin[j + 2]; ++p, first += kBlock<G, D>, second += kBlock<G, D>) {
-    double* at = at_node<G, D>(w, view.row[p]);
+  const Index *row = view.row + view.begin[j + 1] + 1, *end = view.row + view.begin[j + 2];
+  for (; row != end; ++row, first += kBlock<G, D>, second += kBlock<G, D>) {
+    double* at = at_node<G, D>(w, *row);
     const Block<G, D> l = Block<G, D>::load(first), m = Block<G, D>::load(second);
     const Vec<G, D> taken = l * here, also = m * there;
     (Vec<G, D>::load(at) - taken - also).store(at);
@@ -183,12 +185,36 @@ template <int G, int D>
   backward<G, D>(view, z);
 }
 
+// y += b_e times what each group has in `force`.
 template <int G, int D>
-[[gnu::flatten]] void solve_loads(const LaneView& view, double* u) {
+inline void add_spring(const Ends<D>& s, const Lane<G>& force, double* y) {
+  const Vec<G, D> f = by_axis<G, D>([&](auto a) { return force * s.direction[a]; });
+  (load<G, D>(y, s.low) - f).store(at_node<G, D>(y, s.low));
+  (load<G, D>(y, s.high) + f).store(at_node<G, D>(y, s.high));
+}
+
+template <int G, int D>
+inline void hold(const LaneView& view, double* y) {
+  for (Index j = 0; j < view.nodes; ++j) (load<G, D>(y, j) * load<G, D>(view.free, j)).store(at_node<G, D>(y, j));
+}
+
+template <int G, int D>
+[[gnu::flatten]] void solve_loads(const LaneView& view, const double* stiffness, double* u) {
   const std::size_t size = std::size_t{kVector<G, D>} * view.nodes;
-  for (Index s = 0; s < view.slots; ++s, u += size) {
-    for (Index j = 0; j < view.nodes; ++j) load<G, D>(view.force + s * size, j).store(at_node<G, D>(u, j));
+  for (Index slot = 0; slot < view.slots; ++slot, u += size) {
+    for (Index j = 0; j < view.nodes; ++j) load<G, D>(view.force + slot * size, j).store(at_node<G, D>(u, j));
+    if (view.moved_springs == 0) {
+      solve<G, D>(view, u);
+      continue;
+    }
+    const double* prescribed = view.prescribed + slot * size;
+    for (Index i = 0; i < view.moved_springs; ++i) {
+      const Ends<D> s(view, view.moved[i]);
+      add_spring<G>(s, elongation<G>(s, prescribed) * (-stiffness[view.moved[i]]), u);
+    }
+    hold<G, D>(view, u);
     solve<G, D>(view, u);
+    for (Index j = 0; j < view.nodes; ++j) (load<G, D>(u, j) + load<G, D>(prescribed, j)).store(at_node<G, D>(u, j));
   }
 }
 

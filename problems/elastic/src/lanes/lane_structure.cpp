@@ -121,6 +121,7 @@ LaneStructure::LaneStructure(std::span<const std::unique_ptr<EquilibriumGroup>> 
     for (std::size_t slot = 0; slot < groups[lane]->loads().size(); ++slot)
       loads_.push_back({first + lane, lane, slot});
   }
+  place_motion(groups);
 }
 
 void LaneStructure::place_freedoms(const EquilibriumGroup& group, std::size_t lane, bool counts) {
@@ -141,23 +142,48 @@ void LaneStructure::place_loads(const EquilibriumGroup& group, std::size_t lane)
   }
 }
 
-LaneView LaneStructure::view() const noexcept {
+// Loads of one group share its supports' motion; a slot without a load stays at rest, as its reference does.
+void LaneStructure::place_motion(std::span<const std::unique_ptr<EquilibriumGroup>> groups) {
+  if (std::ranges::none_of(groups, [](const auto& group) { return group->has_prescribed_motion(); })) return;
+  prescribed_ = AlignedArray(slots_ * vector_size());
+  std::vector<bool> moved(graph_.nodes(), false);  // by positions
+  for (const Slot& slot : loads_) {
+    const EquilibriumGroup& group = *groups[slot.lane];
+    for (std::size_t place = group.free(); place < group.freedoms(); ++place) {
+      const std::size_t freedom = group.freedom_at(place);
+      prescribed_[slot.slot * vector_size() + at(freedom, slot.lane)] = group.prescribed()[place];
+      if (group.prescribed()[place] != 0.0) moved[graph_.position[freedom / dimension()]] = true;
+    }
+  }
+  for (std::uint32_t e = 0; e < graph_.springs.size(); ++e)
+    if (moved[graph_.springs[e].low] || moved[graph_.springs[e].high]) moved_.push_back(e);
+}
+
+LaneView NodeGraph::view() const noexcept {
   LaneView view{};
-  view.nodes = static_cast<std::uint32_t>(graph_.nodes());
-  view.springs = static_cast<std::uint32_t>(graph_.springs.size());
+  view.nodes = static_cast<std::uint32_t>(nodes());
+  view.springs = static_cast<std::uint32_t>(springs.size());
+  view.begin = begin.data();
+  view.row = row.data();
+  view.twin = twin.data();
+  view.parent = parent.data();
+  view.row_begin = row_begin.data();
+  view.row_entries = row_entries.data();
+  view.ends = springs.data();
+  view.direction = directions.data();
+  return view;
+}
+
+LaneView LaneStructure::view() const noexcept {
+  LaneView view = graph_.view();
   view.slots = static_cast<std::uint32_t>(slots_);
-  view.begin = graph_.begin.data();
-  view.row = graph_.row.data();
-  view.twin = graph_.twin.data();
-  view.parent = graph_.parent.data();
-  view.row_begin = graph_.row_begin.data();
-  view.row_entries = graph_.row_entries.data();
-  view.ends = graph_.springs.data();
-  view.direction = graph_.directions.data();
   view.free = free_.data();
   view.weight = weight_.data();
   view.reference = reference_.data();
   view.force = force_.data();
+  view.prescribed = prescribed_.data();
+  view.moved = moved_.data();
+  view.moved_springs = static_cast<std::uint32_t>(moved_.size());
   return view;
 }
 

@@ -48,6 +48,8 @@ struct NodeGraph {
 
   [[nodiscard]] std::size_t nodes() const noexcept { return position.size(); }
   [[nodiscard]] std::size_t blocks() const noexcept { return row.size(); }
+  /// Structure filled in, all else left empty.
+  [[nodiscard]] LaneView view() const noexcept;
 
  private:
   void eliminate(std::span<const GraphSpring> net_springs);
@@ -96,11 +98,14 @@ class LaneStructure {
  private:
   void place_freedoms(const EquilibriumGroup& group, std::size_t lane, bool counts);
   void place_loads(const EquilibriumGroup& group, std::size_t lane);
+  void place_motion(std::span<const std::unique_ptr<EquilibriumGroup>> groups);
 
   const NodeGraph& graph_;
   std::size_t groups_, lanes_, slots_ = 0;
   std::vector<Slot> loads_;
   AlignedArray free_, weight_, reference_, force_;
+  AlignedArray prescribed_;  // empty where all supports are at rest
+  std::vector<std::uint32_t> moved_;
 };
 
 }  // namespace nodal::elastic

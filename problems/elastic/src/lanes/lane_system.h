@@ -22,9 +22,10 @@ class LaneSystem {
   LaneSystem(const LaneStructure& structure, const LaneKernels& kernels);
 
   LaneFactored factorize(std::span<const double> stiffness);
-  /// True when the factor's own displacements give the G of a full evaluation, to 2.5e-10 of it and of the reference.
-  /// (Always true where a support moves: lanes don't solve for that.)
-  [[nodiscard]] bool agrees_with(const FullEvaluation& solved, double reference_norm) const;
+  /// True when the factor's own displacements give the G of a full evaluation at the same stiffnesses, to 2.5e-10 of it
+  /// and of the reference.
+  [[nodiscard]] bool agrees_with(const FullEvaluation& solved, std::span<const double> stiffness,
+                                 double reference_norm) const;
   /// Displacements of a full evaluation, into [slots] vectors.
   void take_displacements(const FullEvaluation& solved, double* u) const;
 

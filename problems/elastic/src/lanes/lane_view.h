@@ -43,6 +43,9 @@ struct LaneView {
   const double* weight;            // [nodes] vectors: 0 where held
   const double* reference;         // [slots][nodes] vectors
   const double* force;             // [slots][nodes] vectors, 0 where held; supports' motion not included
+  const double* prescribed;        // [slots][nodes] vectors: displacements of held freedoms, 0 where free
+  const std::uint32_t* moved;      // [moved_springs]: springs with an end that is held away from zero in some lane
+  std::uint32_t moved_springs;     // 0 where all supports are at rest: `prescribed` is not looked at then
   // State.
   double* blocks;  // K = L D Lᵀ: D_j⁻¹ in the diagonal blocks, L below
   double* work;    // [nodes] vectors, zero between calls

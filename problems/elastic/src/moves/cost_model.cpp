@@ -116,8 +116,6 @@ CostModel::CostModel(const ElasticModel& model, const LaneModel& lanes) {
   const bool tied = !model.parameters.one_to_one();
   exclude(cost_of(Form::eager), tied, "tied springs: a change is no rank-one change");
   exclude(cost_of(Form::updown), tied, "tied springs: a change is no rank-one change");
-  const bool moving = std::ranges::any_of(model.groups, [](const auto& g) { return g->has_prescribed_motion(); });
-  exclude(cost_of(Form::refactor), moving, "a support moves");
   for (const auto& structure : lanes.structures) {
     const bool crowded = structure->slots() > kMostListedSlots;
     exclude(cost_of(Form::eager), crowded, "too many loads in one support group");

@@ -17,7 +17,9 @@ class UpdownForm final : public TableForm {
 
  private:
   bool factorize(std::span<const double> stiffness) override;
-  bool vouches(const FullEvaluation& /*solved*/) override { return true; }  // the same factorization
+  bool vouches(std::span<const double> /*stiffness*/, const FullEvaluation& /*solved*/) override {
+    return true;
+  }  // the same factorization
   void solve_spring(std::size_t s, std::size_t spring) override;
   bool change(std::size_t spring, double delta) override;
   [[nodiscard]] Work solver_work() const override;
