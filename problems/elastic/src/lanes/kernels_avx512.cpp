@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #define NODAL_LANE_WIDTH 8
+#define NODAL_LANE_DIMENSION 2
 #define NODAL_LANE_NAMESPACE lanes_avx512
 #include "lane_kernels.inl"

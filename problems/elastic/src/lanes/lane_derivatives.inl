@@ -10,66 +10,59 @@ namespace nodal::elastic::NODAL_LANE_NAMESPACE {
 
 namespace {
 
-// y += b_e times what each group has in `force`.
-template <int G>
-inline void add_spring(const LaneSpring& s, const Lane<G>& force, double* y) {
-  const Pair<G> f = pair_of<G>(force * s.dx, force * s.dy);
-  (Pair<G>::load(y + kPair<G> * s.low) - f).store(y + kPair<G> * s.low);
-  (Pair<G>::load(y + kPair<G> * s.high) + f).store(y + kPair<G> * s.high);
-}
-
-template <int G>
-inline void hold(const LaneView& view, double* y) {
-  for (Index at = 0; at < kPair<G> * view.nodes; at += kPair<G>)
-    (Pair<G>::load(y + at) * Pair<G>::load(view.free + at)).store(y + at);
-}
-
-template <int G>
-double correct(const LaneView& view, const double* stiffness, Index slot, double* u) {
+template <int G, int D>
+[[gnu::flatten]] double correct(const LaneView& view, const double* stiffness, Index slot, double* u) {
   double* y = view.y;
-  const double* force = view.force + std::size_t{kPair<G>} * view.nodes * slot;
-  for (Index at = 0; at < kPair<G> * view.nodes; at += kPair<G>) Pair<G>::load(force + at).store(y + at);
-  for (Index e = 0; e < view.springs; ++e)
-    add_spring<G>(view.spring[e], elongation<G>(view.spring[e], u) * (-stiffness[e]), y);
-  hold<G>(view, y);
-  solve<G>(view, y);
-  Pair<G> steps = Pair<G>::all(0.0), sizes = steps;
-  for (Index at = 0; at < kPair<G> * view.nodes; at += kPair<G>) {
-    const Pair<G> step = Pair<G>::load(y + at), before = Pair<G>::load(u + at);
-    steps = fma(step, step, steps);
-    sizes = fma(before, before, sizes);
-    (before + step).store(u + at);
+  const double* force = view.force + std::size_t{kVector<G, D>} * view.nodes * slot;
+  for (Index j = 0; j < view.nodes; ++j) load<G, D>(force, j).store(at_node<G, D>(y, j));
+  for (Index e = 0; e < view.springs; ++e) {
+    const Ends<D> s(view, e);
+    add_spring<G>(s, elongation<G>(s, u) * (-stiffness[e]), y);
   }
+  hold<G, D>(view, y);
+  solve<G, D>(view, y);
+  Product<G, D> step_sum = Product<G, D>::all(0.0), size_sum = step_sum;
+  for (Index j = 0; j < view.nodes; ++j) {
+    const Vec<G, D> step = load<G, D>(y, j), before = load<G, D>(u, j), moving = before * load<G, D>(view.free, j);
+    step_sum = add_product(step, step, step_sum);
+    size_sum = add_product(moving, moving, size_sum);
+    (before + step).store(at_node<G, D>(u, j));
+  }
+  const Lane<G> steps = total<G, D>(step_sum), sizes = total<G, D>(size_sum);
   double largest = 0.0;
   for (int lane = 0; lane < G; ++lane) {
-    const double step = steps[lane] + steps[G + lane], size = sizes[lane] + sizes[G + lane];
+    const double step = steps[lane], size = sizes[lane];
     if (!(step - step == 0.0) || !(size - size == 0.0)) return __builtin_inf();
     if (size > 0.0 && step > largest * size) largest = step / size;
   }
   return __builtin_sqrt(largest);
 }
 
-template <int G>
-void weighted_error(const LaneView& view, Index slot, const double* u, double* y) {
-  const double* reference = view.reference + std::size_t{kPair<G>} * view.nodes * slot;
-  for (Index at = 0; at < kPair<G> * view.nodes; at += kPair<G>)
-    ((Pair<G>::load(u + at) - Pair<G>::load(reference + at)) * Pair<G>::load(view.weight + at)).store(y + at);
+template <int G, int D>
+[[gnu::flatten]] void weighted_error(const LaneView& view, Index slot, const double* u, double* y) {
+  const double* reference = view.reference + std::size_t{kVector<G, D>} * view.nodes * slot;
+  for (Index j = 0; j < view.nodes; ++j)
+    ((load<G, D>(u, j) - load<G, D>(reference, j)) * load<G, D>(view.weight, j)).store(at_node<G, D>(y, j));
 }
 
-template <int G>
-void adjoint(const LaneView& view, const double* u, double* y, double* by_spring) {
-  solve<G>(view, y);
-  for (Index e = 0; e < view.springs; ++e)
-    by_spring[e] -= (elongation<G>(view.spring[e], y) * elongation<G>(view.spring[e], u)).sum();
+template <int G, int D>
+[[gnu::flatten]] void adjoint(const LaneView& view, const double* u, double* y, double* by_spring) {
+  solve<G, D>(view, y);
+  for (Index e = 0; e < view.springs; ++e) {
+    const Ends<D> s(view, e);
+    by_spring[e] -= (elongation<G>(s, y) * elongation<G>(s, u)).sum();
+  }
 }
 
-template <int G>
-void product(const LaneView& view, const double* u, const double* factor, double* y) {
-  clear<G>(view, y);
-  for (Index e = 0; e < view.springs; ++e)
-    add_spring<G>(view.spring[e], elongation<G>(view.spring[e], u) * (-factor[e]), y);
-  hold<G>(view, y);
-  solve<G>(view, y);
+template <int G, int D>
+[[gnu::flatten]] void product(const LaneView& view, const double* u, const double* factor, double* y) {
+  clear<G, D>(view, y);
+  for (Index e = 0; e < view.springs; ++e) {
+    const Ends<D> s(view, e);
+    add_spring<G>(s, elongation<G>(s, u) * (-factor[e]), y);
+  }
+  hold<G, D>(view, y);
+  solve<G, D>(view, y);
 }
 
 }  // namespace

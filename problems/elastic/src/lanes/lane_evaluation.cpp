@@ -8,7 +8,7 @@ namespace nodal::elastic {
 
 namespace {
 
-// The 2×2 pivots are inverted, where CHOLMOD divides by scalar ones: that can cost two digits more.
+// The D×D pivots are inverted, where CHOLMOD divides by scalar ones: that can cost two digits more.
 constexpr double kInverseLoss = 100.0;
 
 // Springs whose columns of the Jacobian are computed before they are written, row by row.
@@ -17,8 +17,7 @@ constexpr std::size_t kColumns = 16;
 }  // namespace
 
 bool values_by_lanes(const ElasticModel& model) {
-  const bool solvable = std::ranges::none_of(
-      model.groups, [](const auto& group) { return group->has_prescribed_motion() || !group->flaw().empty(); });
+  const bool solvable = std::ranges::all_of(model.groups, [](const auto& group) { return group->flaw().empty(); });
   return solvable && (model.scene.solver == "auto" || model.scene.solver == "lanes");
 }
 
@@ -32,8 +31,7 @@ LaneEvaluation::LaneEvaluation(const ElasticModel& model) : model_(model) {
       const EquilibriumGroup& group = *model.groups[slot.group];
       const std::size_t first = model.first_residual[group.loads()[slot.slot].index];
       for (std::size_t place = 0; place < group.free(); ++place) {
-        const std::size_t freedom = group.freedom_at(place);
-        system.residuals[slot.slot].push_back({structure.at(freedom / 2, freedom % 2, slot.lane),
+        system.residuals[slot.slot].push_back({structure.at(group.freedom_at(place), slot.lane),
                                                first + group.residual_at(place),
                                                std::sqrt(group.weights()[place]) / model.reference_norm});
       }
@@ -53,8 +51,9 @@ std::optional<double> LaneEvaluation::solve(std::span<const double> stiffness) {
     if (!factored.fine) return std::nullopt;
     const LaneView& view = system.lanes.view();
     const LaneKernels& kernels = system.lanes.kernels();
-    kernels.solve_loads(view, system.u.data());
-    if (plain_solve_loses(2 * view.nodes, factored.smallest_pivot_ratio / kInverseLoss)) {
+    kernels.solve_loads(view, stiffness.data(), system.u.data());
+    if (plain_solve_loses(system.lanes.structure().dimension() * view.nodes,
+                          factored.smallest_pivot_ratio / kInverseLoss)) {
       ++solves_;
       for (std::uint32_t slot = 0; slot < view.slots; ++slot) {
         double* u = system.u.data() + slot * system.lanes.structure().vector_size();

@@ -21,8 +21,8 @@
 
 namespace nodal::elastic {
 
-/// Whether races get their values from here: by the study's `equilibrium.method`, and never where supports move, which
-/// the lanes don't solve for, or a number isn't finite.
+/// Whether races get their values from here: by the study's `equilibrium.method`, and never where a number isn't
+/// finite.
 [[nodiscard]] bool values_by_lanes(const ElasticModel& model);
 
 class LaneEvaluation final : public PointDerivatives {

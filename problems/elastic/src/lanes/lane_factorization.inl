@@ -11,83 +11,83 @@ namespace nodal::elastic::NODAL_LANE_NAMESPACE {
 namespace {
 
 // K's blocks: D in the diagonals, the lower triangle below.
-template <int G>
-void assemble(const LaneView& view, const double* stiffness) {
+template <int G, int D>
+[[gnu::flatten]] void assemble(const LaneView& view, const double* stiffness) {
+  const Lane<G> zero = Lane<G>::all(0.0);
+  Block<G, D> empty;
+  for (int c = 0; c < D; ++c) empty.column[c] = Vec<G, D>::all(0.0);
   for (Index j = 0; j < view.nodes; ++j) {
-    const Pair<G> held = Pair<G>::all(1.0) - Pair<G>::load(view.free + kPair<G> * j);
-    const Lane<G> zero = Lane<G>::all(0.0);
-    Block<G>{pair_of<G>(x_of<G>(held), zero), pair_of<G>(zero, y_of<G>(held))}.store(
-        view.blocks + std::size_t{kBlock<G>} * view.begin[j]);
-    for (Index p = view.begin[j] + 1; p < view.begin[j + 1]; ++p)
-      Block<G>{Pair<G>::all(0.0), Pair<G>::all(0.0)}.store(view.blocks + std::size_t{kBlock<G>} * p);
+    const Vec<G, D> held = Vec<G, D>::all(1.0) - load<G, D>(view.free, j);
+    Block<G, D> diagonal;
+    for_axes<D>(
+        [&](auto c) { diagonal.column[c] = by_axis<G, D>([&](auto a) { return a == c ? axis<c>(held) : zero; }); });
+    diagonal.store(block_at<G, D>(view, view.begin[j]));
+    for (Index p = view.begin[j] + 1; p < view.begin[j + 1]; ++p) empty.store(block_at<G, D>(view, p));
   }
+  const auto add = [&](Index block, const Vec<G, D>& rows, const Vec<G, D>& columns, double k) {
+    Block<G, D> b = load_block<G, D>(view, block);
+    const Vec<G, D> scaled = rows * k;
+    const Axes<G, D> axes(columns);
+    for (int c = 0; c < D; ++c) b.column[c] = fma(scaled, axes.of[c], b.column[c]);
+    b.store(block_at<G, D>(view, block));
+  };
   for (Index e = 0; e < view.springs; ++e) {
-    const LaneSpring& s = view.spring[e];
-    const Pair<G> d = pair_of<G>(Lane<G>::all(s.dx), Lane<G>::all(s.dy));
-    const Pair<G> low = d * Pair<G>::load(view.free + kPair<G> * s.low);
-    const Pair<G> high = d * Pair<G>::load(view.free + kPair<G> * s.high);
-    const auto add = [&](Index block, const Pair<G>& rows, const Pair<G>& columns, double k) {
-      double* at = view.blocks + std::size_t{kBlock<G>} * block;
-      Block<G> b = Block<G>::load(at);
-      const Pair<G> scaled = rows * k;
-      b.first = fma(scaled, both<G>(x_of<G>(columns)), b.first);
-      b.second = fma(scaled, both<G>(y_of<G>(columns)), b.second);
-      b.store(at);
-    };
+    const Ends<D> s(view, e);
+    const Vec<G, D> d = direction_of<G>(s);
+    const Vec<G, D> low = d * load<G, D>(view.free, s.low), high = d * load<G, D>(view.free, s.high);
     add(view.begin[s.low], low, low, stiffness[e]);
     add(view.begin[s.high], high, high, stiffness[e]);
-    add(s.block, high, low, -stiffness[e]);
+    add(view.ends[e].block, high, low, -stiffness[e]);
   }
 }
 
-// What column k takes from column j, by L_jk: the block at the crossing, its entries spread over pairs.
-template <int G>
+// What column k takes from column j, by L_jk: the block at the crossing, its entries spread over vectors.
+template <int G, int D>
 struct Crossing {
-  Pair<G> xx, xy, yx, yy;
+  Vec<G, D> factor[D][D];  // [column][row]
 
   // While factoring, column k holds A_jk = L_jk D_k in its blocks and D_k⁻¹ in its diagonal.
   Crossing(const LaneView& view, const RowEntry& entry) {
-    const Block<G> a = Block<G>::load(view.blocks + std::size_t{kBlock<G>} * entry.block);
-    const Block<G> inverse = Block<G>::load(view.blocks + std::size_t{kBlock<G>} * view.begin[entry.column]);
-    const Pair<G> x = inverse * pair_of<G>(x_of<G>(a.first), x_of<G>(a.second));
-    const Pair<G> y = inverse * pair_of<G>(y_of<G>(a.first), y_of<G>(a.second));
-    xx = both<G>(x_of<G>(x));
-    xy = both<G>(y_of<G>(x));
-    yx = both<G>(x_of<G>(y));
-    yy = both<G>(y_of<G>(y));
+    const Block<G, D> a = load_block<G, D>(view, entry.block);
+    const Block<G, D> inverse = load_block<G, D>(view, view.begin[entry.column]);
+    for_axes<D>([&](auto c) {
+      const Vec<G, D> of_row = inverse * row<c>(a);
+      for_axes<D>([&](auto r) { factor[c][r] = spread<D>(axis<r>(of_row)); });
+    });
   }
-  void take(Block<G>& b, const Block<G>& below) const {
-    b.first = fnma(below.second, xy, fnma(below.first, xx, b.first));
-    b.second = fnma(below.second, yy, fnma(below.first, yx, b.second));
+  void take(Block<G, D>& b, const Block<G, D>& below) const {
+    for (int c = 0; c < D; ++c)
+      for (int r = 0; r < D; ++r) b.column[c] = fnma(below.column[r], factor[c][r], b.column[c]);
   }
 };
 
 // Column j of K less what the columns to its left take from it: of each column k, A_ik L_jkᵀ for the rows i from j on.
 // `positions` maps rows to column j's blocks. Two columns with the same rows are taken at once.
-template <int G>
-void subtract_left(const LaneView& view, Index j, Index* positions) {
+template <int G, int D>
+[[gnu::noinline, gnu::flatten]] void subtract_left(const LaneView& view, Index j, Index* positions) {
+  double* const blocks = view.blocks;  // a store of numbers might be one to the view, for all that a compiler knows
   for (Index p = view.begin[j]; p < view.begin[j + 1]; ++p) positions[view.row[p]] = p;
   for (Index r = view.row_begin[j]; r < view.row_begin[j + 1]; ++r) {
     const RowEntry& entry = view.row_entries[r];
-    const Crossing<G> crossing(view, entry);
-    const Index count = view.begin[entry.column + 1] - entry.block;
-    const double* below = view.blocks + std::size_t{kBlock<G>} * entry.block;
+    const Crossing<G, D> crossing(view, entry);
+    const Index *row = view.row + entry.block, *end = view.row + view.begin[entry.column + 1];
+    const double* below = blocks + kBlock<G, D> * entry.block;
     if (view.twin[entry.column] && entry.column + 1 < j) {
       const RowEntry& twin = view.row_entries[++r];
-      const Crossing<G> also(view, twin);
-      const double* second = view.blocks + std::size_t{kBlock<G>} * twin.block;
-      for (Index p = 0; p < count; ++p) {
-        double* to = view.blocks + std::size_t{kBlock<G>} * positions[view.row[entry.block + p]];
-        Block<G> b = Block<G>::load(to);
-        crossing.take(b, Block<G>::load(below + std::size_t{kBlock<G>} * p));
-        also.take(b, Block<G>::load(second + std::size_t{kBlock<G>} * p));
+      const Crossing<G, D> also(view, twin);
+      const double* second = blocks + kBlock<G, D> * twin.block;
+      for (; row != end; ++row, below += kBlock<G, D>, second += kBlock<G, D>) {
+        double* to = blocks + kBlock<G, D> * positions[*row];
+        Block<G, D> b = Block<G, D>::load(to);
+        crossing.take(b, Block<G, D>::load(below));
+        also.take(b, Block<G, D>::load(second));
         b.store(to);
       }
     } else {
-      for (Index p = 0; p < count; ++p) {
-        double* to = view.blocks + std::size_t{kBlock<G>} * positions[view.row[entry.block + p]];
-        Block<G> b = Block<G>::load(to);
-        crossing.take(b, Block<G>::load(below + std::size_t{kBlock<G>} * p));
+      for (; row != end; ++row, below += kBlock<G, D>) {
+        double* to = blocks + kBlock<G, D> * positions[*row];
+        Block<G, D> b = Block<G, D>::load(to);
+        crossing.take(b, Block<G, D>::load(below));
         b.store(to);
       }
     }
@@ -95,126 +95,171 @@ void subtract_left(const LaneView& view, Index j, Index* positions) {
 }
 
 // A_ij D_j⁻¹ → L_ij.
-template <int G>
-void finish_columns(const LaneView& view) {
+template <int G, int D>
+[[gnu::flatten]] void finish_columns(const LaneView& view) {
   for (Index j = 0; j < view.nodes; ++j) {
-    const Block<G> inverse = Block<G>::load(view.blocks + std::size_t{kBlock<G>} * view.begin[j]);
-    const Pair<G> xx = both<G>(x_of<G>(inverse.first)), xy = both<G>(y_of<G>(inverse.first));
-    const Pair<G> yy = both<G>(y_of<G>(inverse.second));
-    for (Index p = view.begin[j] + 1; p < view.begin[j + 1]; ++p) {
-      double* at = view.blocks + std::size_t{kBlock<G>} * p;
-      const Block<G> a = Block<G>::load(at);
-      Block<G>{fma(a.second, xy, a.first * xx), fma(a.second, yy, a.first * xy)}.store(at);
+    const Block<G, D> inverse = load_block<G, D>(view, view.begin[j]);
+    Vec<G, D> factor[D][D];  // [column][row]; the inverse is symmetric
+    for_axes<D>([&](auto c) {
+      for_axes<D>([&](auto r) {
+        factor[c][r] = r <= c ? spread<D>(axis<c>(inverse.column[r])) : spread<D>(axis<r>(inverse.column[c]));
+      });
+    });
+    double *at = block_at<G, D>(view, view.begin[j] + 1), *end = block_at<G, D>(view, view.begin[j + 1]);
+    for (; at != end; at += kBlock<G, D>) {
+      const Block<G, D> a = Block<G, D>::load(at);
+      Block<G, D> l;
+      for (int c = 0; c < D; ++c) {
+        l.column[c] = a.column[0] * factor[c][0];
+        for (int r = 1; r < D; ++r) l.column[c] = fma(a.column[r], factor[c][r], l.column[c]);
+      }
+      l.store(at);
     }
   }
 }
 
+// D⁻¹, and how much of K's diagonal was left in the pivot: min D_aa/K_aa over its axes taken one after the other.
+template <int G, int D>
+struct Inverted {
+  Block<G, D> inverse;
+  Lane<G> smallest_ratio;
+  bool positive;
+};
+
 template <int G>
-LaneFactored factorize(const LaneView& view, const double* stiffness) {
-  assemble<G>(view, stiffness);
+inline Inverted<G, 2> invert(const Block<G, 2>& pivot, const Vec<G, 2>& diagonal_of_k) {
+  const Lane<G> xx = axis<0>(pivot.column[0]), xy = axis<1>(pivot.column[0]), yy = axis<1>(pivot.column[1]);
+  const Lane<G> determinant = fnma(xy, xy, xx * yy);
+  const Lane<G> inverse = Lane<G>::all(1.0) / determinant;
+  const Lane<G> off = Lane<G>::all(0.0) - xy * inverse;
+  return {{{vec<G>(yy * inverse, off), vec<G>(off, xx * inverse)}},
+          least(xx / axis<0>(diagonal_of_k), determinant / (xx * axis<1>(diagonal_of_k))),
+          xx.positive() && determinant.positive()};
+}
+
+// In space by LDLᵀ, which loses nothing to the differences of products that cofactors are.
+template <int G>
+inline Inverted<G, 3> invert(const Block<G, 3>& pivot, const Vec<G, 3>& diagonal_of_k) {
+  const Lane<G> one = Lane<G>::all(1.0), zero = Lane<G>::all(0.0);
+  const Vec<G, 3>&x = pivot.column[0], &y = pivot.column[1];
+  const Lane<G> first = axis<0>(x), by_first = one / first;
+  const Lane<G> l_yx = axis<1>(x) * by_first, l_zx = axis<2>(x) * by_first;
+  const Lane<G> second = fnma(l_yx, axis<1>(x), axis<1>(y)), by_second = one / second;
+  const Lane<G> zy = fnma(l_zx, axis<1>(x), axis<2>(y)), l_zy = zy * by_second;
+  const Lane<G> third = fnma(l_zy, zy, fnma(l_zx, axis<2>(x), axis<2>(pivot.column[2]))), by_third = one / third;
+  // L⁻¹ has −l_yx, −l_zy and m; the inverse is L⁻ᵀ D⁻¹ L⁻¹.
+  const Lane<G> m = fma(l_zy, l_yx, zero - l_zx);
+  const Lane<G> xz = m * by_third, yz = zero - l_zy * by_third;
+  const Lane<G> xy = fma(m, yz, zero - l_yx * by_second);
+  const Lane<G> xx = fma(m, xz, fma(l_yx, l_yx * by_second, by_first)), yy = fnma(l_zy, yz, by_second);
+  const Lane<G> ratio =
+      least(least(first / axis<0>(diagonal_of_k), second / axis<1>(diagonal_of_k)), third / axis<2>(diagonal_of_k));
+  return {{{vec<G>(xx, xy, xz), vec<G>(xy, yy, yz), vec<G>(xz, yz, by_third)}},
+          ratio,
+          first.positive() && second.positive() && third.positive()};
+}
+
+template <int G, int D>
+[[gnu::flatten]] LaneFactored factorize(const LaneView& view, const double* stiffness) {
+  assemble<G, D>(view, stiffness);
   Index* positions = reinterpret_cast<Index*>(view.work);
   LaneFactored result{true, 0, 1.0};
   Lane<G> smallest = Lane<G>::all(1.0);
   for (Index j = 0; j < view.nodes && result.fine; ++j) {
-    double* at = view.blocks + std::size_t{kBlock<G>} * view.begin[j];
-    const Block<G> k = Block<G>::load(at);
-    subtract_left<G>(view, j, positions);
-    const Block<G> d = Block<G>::load(at);
-    const Lane<G> xx = x_of<G>(d.first), xy = y_of<G>(d.first), yy = y_of<G>(d.second);
-    const Lane<G> determinant = fnma(xy, xy, xx * yy);
-    result.fine = xx.positive() && determinant.positive();
+    const Vec<G, D> diagonal_of_k = diagonal(load_block<G, D>(view, view.begin[j]));
+    subtract_left<G, D>(view, j, positions);
+    const Inverted<G, D> inverted = invert(load_block<G, D>(view, view.begin[j]), diagonal_of_k);
+    result.fine = inverted.positive;
     if (!result.fine) result.failed = j;
-    smallest = least(smallest, least(xx / x_of<G>(k.first), determinant / (xx * y_of<G>(k.second))));
-    const Lane<G> inverse = Lane<G>::all(1.0) / determinant;
-    const Lane<G> off = Lane<G>::all(0.0) - xy * inverse;
-    Block<G>{pair_of<G>(yy * inverse, off), pair_of<G>(off, xx * inverse)}.store(at);
+    smallest = least(smallest, inverted.smallest_ratio);
+    inverted.inverse.store(block_at<G, D>(view, view.begin[j]));
   }
-  if (result.fine) finish_columns<G>(view);
+  if (result.fine) finish_columns<G, D>(view);
   for (int lane = 0; lane < G; ++lane)
     if (smallest[lane] < result.smallest_pivot_ratio) result.smallest_pivot_ratio = smallest[lane];
-  clear<G>(view, view.work);
+  clear<G, D>(view, view.work);
   return result;
 }
 
 // One pass along the path from the spring's lower end to the root: lane_kernels.h has its three lines of algebra.
-template <int G>
-bool change_factor(const LaneView& view, Index spring, double change) {
-  const LaneSpring& s = view.spring[spring];
+template <int G, int D>
+[[gnu::noinline, gnu::flatten]] bool change_factor(const LaneView& view, Index spring, double change) {
+  const Ends<D> s(view, spring);
   double* w = view.work;
-  clear<G>(view, view.z);
+  clear<G, D>(view, view.z);
   place_spring<G>(view, s, w);
   const Lane<G> one = Lane<G>::all(1.0), delta = Lane<G>::all(change);
   Lane<G> reach = Lane<G>::all(0.0), sigma = one;
   bool fine = true;
   for (Index j = s.low; j != kNoNode; j = view.parent[j]) {
-    const Pair<G> x = Pair<G>::load(w + kPair<G> * j);
-    Pair<G>::all(0.0).store(w + kPair<G> * j);
-    double* diagonal = view.blocks + std::size_t{kBlock<G>} * view.begin[j];
-    Block<G> inverse = Block<G>::load(diagonal);
-    const Pair<G> solved = inverse * x;
-    const Pair<G> products = x * solved;
-    reach = reach + x_of<G>(products) + y_of<G>(products);
+    const Vec<G, D> x = load<G, D>(w, j);
+    Vec<G, D>::all(0.0).store(at_node<G, D>(w, j));
+    Block<G, D> inverse = load_block<G, D>(view, view.begin[j]);
+    const Vec<G, D> solved = inverse * x;
+    const Vec<G, D> products = x * solved;
+    for_axes<D>([&](auto a) { reach = reach + axis<a>(products); });
     sigma = fma(reach, delta, one);
     fine = fine & sigma.positive();
-    const Pair<G> m = both<G>(delta / sigma) * solved;
-    m.store(view.z + kPair<G> * j);
-    inverse.first = fnma(m, both<G>(x_of<G>(solved)), inverse.first);
-    inverse.second = fnma(m, both<G>(y_of<G>(solved)), inverse.second);
-    inverse.store(diagonal);
-    const Pair<G> xx = both<G>(x_of<G>(x)), xy = both<G>(y_of<G>(x));
-    const Pair<G> mx = both<G>(x_of<G>(m)), my = both<G>(y_of<G>(m));
-    for (Index p = view.begin[j] + 1; p < view.begin[j + 1]; ++p) {
-      double* at = view.blocks + std::size_t{kBlock<G>} * p;
-      double* to = w + kPair<G> * view.row[p];
-      Block<G> l = Block<G>::load(at);
-      const Pair<G> left = fnma(l.second, xy, fnma(l.first, xx, Pair<G>::load(to)));
+    const Vec<G, D> m = spread<D>(delta / sigma) * solved;
+    m.store(at_node<G, D>(view.z, j));
+    const Axes<G, D> by_solved(solved);
+    for (int c = 0; c < D; ++c) inverse.column[c] = fnma(m, by_solved.of[c], inverse.column[c]);
+    inverse.store(block_at<G, D>(view, view.begin[j]));
+    const Axes<G, D> by_x(x), by_m(m);
+    const Index *row = view.row + view.begin[j] + 1, *end = view.row + view.begin[j + 1];
+    for (double* at = block_at<G, D>(view, view.begin[j] + 1); row != end; ++row, at += kBlock<G, D>) {
+      double* to = at_node<G, D>(w, *row);
+      Block<G, D> l = Block<G, D>::load(at);
+      const Vec<G, D> left = subtract(Vec<G, D>::load(to), l, by_x);
       left.store(to);
-      l.first = fma(left, mx, l.first);
-      l.second = fma(left, my, l.second);
+      for (int c = 0; c < D; ++c) l.column[c] = fma(left, by_m.of[c], l.column[c]);
       l.store(at);
     }
   }
   return fine;
 }
 
-template <int G>
-bool change_and_solve(const LaneView& view, Index spring, double change) {
-  if (!change_factor<G>(view, spring, change)) return false;
-  backward<G>(view, view.z);
+// Everything that an accepted change needs: the factor, ẑ from its forward solution, and K'⁻¹Wẑ.
+template <int G, int D>
+[[gnu::flatten]] bool change_and_solve(const LaneView& view, Index spring, double change) {
+  if (!change_factor<G, D>(view, spring, change)) return false;
+  backward<G, D>(view, view.z);
   for (Index j = 0; j < view.nodes; ++j)
-    (Pair<G>::load(view.z + kPair<G> * j) * Pair<G>::load(view.weight + kPair<G> * j)).store(view.y + kPair<G> * j);
-  solve<G>(view, view.y);
+    (load<G, D>(view.z, j) * load<G, D>(view.weight, j)).store(at_node<G, D>(view.y, j));
+  solve<G, D>(view, view.y);
   return true;
 }
 
-template <int G>
-inline bool step_of(const LaneView& view, Index spring, double change, const double* z, Lane<G>& factor) {
-  const Lane<G> sigma = fma(elongation<G>(view.spring[spring], z), Lane<G>::all(change), Lane<G>::all(1.0));
+// δ/(1 + δ b_e·z), given z = K⁻¹b_e. False where the divisor is not positive.
+template <int G, int D>
+inline bool step_of(const Ends<D>& s, double change, const double* z, Lane<G>& factor) {
+  const Lane<G> sigma = fma(elongation<G>(s, z), Lane<G>::all(change), Lane<G>::all(1.0));
   factor = Lane<G>::all(change) / sigma;
   return sigma.positive();
 }
 
-template <int G>
-inline void displace_by(const LaneView& view, const Pair<G>& alpha, const double* z, double* u) {
-  for (Index j = 0, at = 0; j < view.nodes; ++j, at += kPair<G>)
-    fnma(alpha, Pair<G>::load(z + at), Pair<G>::load(u + at)).store(u + at);
+template <int G, int D>
+inline void displace_by(const LaneView& view, const Vec<G, D>& alpha, const double* z, double* u) {
+  for (Index j = 0; j < view.nodes; ++j) fnma(alpha, load<G, D>(z, j), load<G, D>(u, j)).store(at_node<G, D>(u, j));
 }
 
-template <int G>
-bool displace(const LaneView& view, Index spring, double change, const double* z, double* u) {
+template <int G, int D>
+[[gnu::flatten]] bool displace(const LaneView& view, Index spring, double change, const double* z, double* u) {
+  const Ends<D> s(view, spring);
   Lane<G> factor;
-  if (!step_of<G>(view, spring, change, z, factor)) return false;
-  const std::size_t size = std::size_t{kPair<G>} * view.nodes;
-  for (Index s = 0; s < view.slots; ++s, u += size)
-    displace_by<G>(view, both<G>(factor * elongation<G>(view.spring[spring], u)), z, u);
+  if (!step_of<G>(s, change, z, factor)) return false;
+  const std::size_t size = std::size_t{kVector<G, D>} * view.nodes;
+  for (Index slot = 0; slot < view.slots; ++slot, u += size)
+    displace_by(view, spread<D>(factor * elongation<G>(s, u)), z, u);
   return true;
 }
 
-template <int G>
-void displace_one(const LaneView& view, Index spring, double change, const double* z, double* other) {
+template <int G, int D>
+[[gnu::flatten]] void displace_one(const LaneView& view, Index spring, double change, const double* z, double* other) {
+  const Ends<D> s(view, spring);
   Lane<G> factor;
-  (void)step_of<G>(view, spring, change, z, factor);
-  displace_by<G>(view, both<G>(factor * elongation<G>(view.spring[spring], other)), z, other);
+  (void)step_of<G>(s, change, z, factor);
+  displace_by(view, spread<D>(factor * elongation<G>(s, other)), z, other);
 }
 
 }  // namespace

@@ -19,9 +19,11 @@ struct LaneInstructions {
 /// From the simplest to the widest.
 [[nodiscard]] std::vector<LaneInstructions> lane_instructions();
 
-/// Kernels for `lanes` groups: 1, 2, 4 or 8. "auto" takes the widest usable instruction set.
-/// std::invalid_argument for another number or an instruction set that is unknown or can't be used here.
-[[nodiscard]] const LaneKernels& lane_kernels(std::size_t lanes, const std::string& instructions = "auto");
+/// Kernels for `lanes` groups, 1, 2, 4 or 8, in two or three dimensions. "auto" takes the widest usable instruction
+/// set. std::invalid_argument for another number or dimension, or an instruction set that is unknown or can't be used
+/// here.
+[[nodiscard]] const LaneKernels& lane_kernels(const std::string& instructions, std::size_t dimension,
+                                              std::size_t lanes);
 /// The name that "auto" stands for here.
 [[nodiscard]] std::string best_lane_instructions();
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-/// The hot loops of annealing, for several support groups at once in the lanes of one vector.
+/// The hot loops of values, derivatives and annealing, for several support groups at once in the lanes of one vector.
 ///
-/// K is factored on the node graph in 2×2 blocks, K = L D Lᵀ, with D_j⁻¹ kept instead of D_j. A spring e changed by δ
+/// K is factored on the node graph in D×D blocks, K = L D Lᵀ, with D_j⁻¹ kept instead of D_j. A spring e changed by δ
 /// changes the factor along one path of the elimination tree. With w_j what is left of b when column j is reached,
 /// H_j = Σ_{i ≤ j} w_iᵀD_i⁻¹w_i and m_j = δ/(1 + δH_j) · D_j⁻¹w_j, one pass along the path does
 ///     D_j⁻¹ −= m_j (D_j⁻¹w_j)ᵀ,    w_i −= L_ij w_j,    L_ij += w_i m_jᵀ,
@@ -18,6 +18,12 @@
 /// For the changed spring itself Q = q̂/δ and R = ρ̂/δ (f = e), and R_e above is σ² times that.
 /// (The derivation: docs/formulation.md. In terms of the changed system's solutions nothing is divided by
 /// σ, and one factor serves.)
+///
+/// Held freedoms have unit rows, so they stay 0 in every solution of K: in z, in adjoints, in steps. Where they are
+/// held at u_c ≠ 0 they are in u itself: K_ff u_f = f_f − Σ_e k_e (b_e)_f (b_e·u_c), spring by spring. What follows is
+/// written in b_e·u of the whole u and stays as it is. A changed spring adds δ (b_e)_f b_e·u to the left side, with u_c
+/// in b_e·u, so u'_f = u_f − z_f α with the α above; for the same reason ∂u_f/∂k_e = −K⁻¹(b_e)_f (b_e·u). The price
+/// list doesn't know the difference: only its v has u_c in it, and stays exact since u_c doesn't change.
 ///
 /// Cost     price: O(1). change: the blocks of the columns on one path, read and written. Solves: every block once or
 ///          twice. update_table: O(springs).
@@ -46,14 +52,14 @@ struct LaneFactored {
 struct LaneKernels {
   /// Assembles K(stiffness) and factors it.
   LaneFactored (*factorize)(const LaneView&, const double* stiffness);
-  /// x: [nodes] pairs, in place: K⁻¹x.
+  /// x: [nodes] vectors, in place: K⁻¹x.
   void (*solve)(const LaneView&, double* x);
   /// z = K⁻¹b_e by a path forward and a full backward pass.
   void (*solve_spring)(const LaneView&, std::uint32_t spring, double* z);
-  /// u = K⁻¹(force) of every slot, into [slots][nodes] pairs.
-  void (*solve_loads)(const LaneView&, double* u);
+  /// u = K⁻¹(force − what moved supports bring) + prescribed of every slot, into [slots][nodes] vectors.
+  void (*solve_loads)(const LaneView&, const double* stiffness, double* u);
   /// One refinement step of a slot's u: the residual force − Σ k_e b_e (b_e·u), spring by spring, solved for and added.
-  /// The largest ‖δu‖/‖u‖ over the groups; infinity where that is no number. Works in view.y.
+  /// The largest ‖δu‖/‖u‖ over the groups, of free freedoms; infinity where that is no number. Works in view.y.
   double (*correct)(const LaneView&, const double* stiffness, std::uint32_t slot, double* u);
   /// y = weight (u − reference) of a slot.
   void (*weighted_error)(const LaneView&, std::uint32_t slot, const double* u, double* y);

@@ -17,7 +17,8 @@ LaneModel::LaneModel(const ElasticModel& model) : graph(model.scene.net) {
 std::vector<LaneSystem> make_systems(const ElasticModel& model, const LaneModel& lanes) {
   std::vector<LaneSystem> systems;
   for (const auto& structure : lanes.structures)
-    systems.emplace_back(*structure, lane_kernels(structure->lanes(), model.scene.moves.instructions));
+    systems.emplace_back(*structure,
+                         lane_kernels(model.scene.moves.instructions, structure->dimension(), structure->lanes()));
   return systems;
 }
 

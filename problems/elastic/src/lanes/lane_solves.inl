@@ -10,164 +10,221 @@ namespace nodal::elastic::NODAL_LANE_NAMESPACE {
 
 namespace {
 
+// A node's numbers in a vector, and a block of the factor.
+template <int G, int D>
+inline double* at_node(double* x, Index node) {
+  return x + kVector<G, D> * node;
+}
+template <int G, int D>
+inline Vec<G, D> load(const double* x, Index node) {
+  return Vec<G, D>::load(x + kVector<G, D> * node);
+}
+template <int G, int D>
+inline double* block_at(const LaneView& view, Index block) {
+  return view.blocks + kBlock<G, D> * block;
+}
+template <int G, int D>
+inline Block<G, D> load_block(const LaneView& view, Index block) {
+  return Block<G, D>::load(view.blocks + kBlock<G, D> * block);
+}
+
 // The rows of column j below its diagonal take L_ij x from w.
-template <int G>
-inline void eliminate(const LaneView& view, Index j, const Pair<G>& x, double* w) {
-  const Pair<G> xx = both<G>(x_of<G>(x)), xy = both<G>(y_of<G>(x));
-  for (Index p = view.begin[j] + 1; p < view.begin[j + 1]; ++p) {
-    double* at = w + kPair<G> * view.row[p];
-    const Block<G> l = Block<G>::load(view.blocks + std::size_t{kBlock<G>} * p);
-    fnma(l.second, xy, fnma(l.first, xx, Pair<G>::load(at))).store(at);
+template <int G, int D>
+inline void eliminate(const LaneView& view, Index j, const Vec<G, D>& x, double* w) {
+  const Axes<G, D> axes(x);
+  const Index *row = view.row + view.begin[j] + 1, *end = view.row + view.begin[j + 1];
+  for (const double* l = block_at<G, D>(view, view.begin[j] + 1); row != end; ++row, l += kBlock<G, D>) {
+    double* at = at_node<G, D>(w, *row);
+    subtract(Vec<G, D>::load(at), Block<G, D>::load(l), axes).store(at);
   }
 }
 
 // Columns j and j + 1 of one supernode have the same rows below, so their blocks are taken row by row, two at a time.
-template <int G>
-inline void eliminate_two(const LaneView& view, Index j, const Pair<G>& x, const Pair<G>& next, double* w) {
-  const Pair<G> xx = both<G>(x_of<G>(x)), xy = both<G>(y_of<G>(x));
-  const Pair<G> nx = both<G>(x_of<G>(next)), ny = both<G>(y_of<G>(next));
-  const double* first = view.blocks + std::size_t{kBlock<G>} * (view.begin[j] + 2);
-  const double* second = view.blocks + std::size_t{kBlock<G>} * (view.begin[j + 1] + 1);
-  for (Index p = view.begin[j + 1] + 1; p < view.begin[j + 2]; ++p, first += kBlock<G>, second += kBlock<G>) {
-    double* at = w + kPair<G> * view.row[p];
-    const Block<G> l = Block<G>::load(first), m = Block<G>::load(second);
-    const Pair<G> taken = fma(l.second, xy, l.first * xx), also = fma(m.second, ny, m.first * nx);
-    (Pair<G>::load(at) - taken - also).store(at);
+template <int G, int D>
+inline void eliminate_two(const LaneView& view, Index j, const Vec<G, D>& x, const Vec<G, D>& next, double* w) {
+  const Axes<G, D> here(x), there(next);
+  const double *first = block_at<G, D>(view, view.begin[j] + 2), *second = block_at<G, D>(view, view.begin[j + 1] + 1);
+  const Index *row = view.row + view.begin[j + 1] + 1, *end = view.row + view.begin[j + 2];
+  for (; row != end; ++row, first += kBlock<G, D>, second += kBlock<G, D>) {
+    double* at = at_node<G, D>(w, *row);
+    const Block<G, D> l = Block<G, D>::load(first), m = Block<G, D>::load(second);
+    const Vec<G, D> taken = l * here, also = m * there;
+    (Vec<G, D>::load(at) - taken - also).store(at);
   }
 }
 
 // Forward through column j, or j and j + 1; returns the column after.
-template <int G>
+template <int G, int D>
 inline Index forward_step(const LaneView& view, Index j, double* x) {
-  const double* diagonal = view.blocks + std::size_t{kBlock<G>} * view.begin[j];
-  const Pair<G> here = Pair<G>::load(x + kPair<G> * j);
-  (Block<G>::load(diagonal) * here).store(x + kPair<G> * j);
+  const Index diagonal = view.begin[j];
+  const Vec<G, D> here = load<G, D>(x, j);
+  (load_block<G, D>(view, diagonal) * here).store(at_node<G, D>(x, j));
   if (!view.twin[j]) {
-    eliminate<G>(view, j, here, x);
+    eliminate<G, D>(view, j, here, x);
     return j + 1;
   }
-  const Pair<G> next = Pair<G>::load(x + kPair<G> * (j + 1)) - Block<G>::load(diagonal + kBlock<G>) * here;
-  (Block<G>::load(view.blocks + std::size_t{kBlock<G>} * view.begin[j + 1]) * next).store(x + kPair<G> * (j + 1));
-  eliminate_two<G>(view, j, here, next, x);
+  const Vec<G, D> next = load<G, D>(x, j + 1) - load_block<G, D>(view, diagonal + 1) * here;
+  (load_block<G, D>(view, view.begin[j + 1]) * next).store(at_node<G, D>(x, j + 1));
+  eliminate_two<G, D>(view, j, here, next, x);
   return j + 2;
 }
 
-// Lᵀz of a column from its two sums over the rows.
-template <int G>
-inline Pair<G> transposed(const Pair<G>& from_x, const Pair<G>& from_y) {
-  return pair_of<G>(x_of<G>(from_x) + y_of<G>(from_x), x_of<G>(from_y) + y_of<G>(from_y));
-}
+// Lᵀz of one column in the making: a scalar product per axis.
+template <int G, int D>
+struct Transposed {
+  Product<G, D> along[D];
+
+  Transposed() {
+    for (int c = 0; c < D; ++c) along[c] = Product<G, D>::all(0.0);
+  }
+  void add(const Block<G, D>& l, const Vec<G, D>& z) {
+    for (int c = 0; c < D; ++c) along[c] = add_product(l.column[c], z, along[c]);
+  }
+  Vec<G, D> sum() const {
+    return by_axis<G, D>([&](auto c) { return total<G, D>(along[c]); });
+  }
+};
 
 // z_j −= Σ_i L_ijᵀ z_i; two chains of additions at a time.
-template <int G>
-inline Pair<G> substitute(const LaneView& view, Index j, const double* z) {
-  Pair<G> from_x = Pair<G>::all(0.0), from_y = from_x, also_x = from_x, also_y = from_x;
-  const double* l = view.blocks + std::size_t{kBlock<G>} * (view.begin[j] + 1);
+template <int G, int D>
+inline Vec<G, D> substitute(const LaneView& view, Index j, const double* z) {
+  Transposed<G, D> sum, also;
+  const double* l = block_at<G, D>(view, view.begin[j] + 1);
   Index p = view.begin[j] + 1;
-  for (; p + 1 < view.begin[j + 1]; p += 2, l += 2 * kBlock<G>) {
-    const Pair<G> below = Pair<G>::load(z + kPair<G> * view.row[p]);
-    const Pair<G> lower = Pair<G>::load(z + kPair<G> * view.row[p + 1]);
-    const Block<G> a = Block<G>::load(l), b = Block<G>::load(l + kBlock<G>);
-    from_x = fma(a.first, below, from_x);
-    from_y = fma(a.second, below, from_y);
-    also_x = fma(b.first, lower, also_x);
-    also_y = fma(b.second, lower, also_y);
+  for (; p + 1 < view.begin[j + 1]; p += 2, l += 2 * kBlock<G, D>) {
+    sum.add(Block<G, D>::load(l), load<G, D>(z, view.row[p]));
+    also.add(Block<G, D>::load(l + kBlock<G, D>), load<G, D>(z, view.row[p + 1]));
   }
-  if (p < view.begin[j + 1]) {
-    const Pair<G> below = Pair<G>::load(z + kPair<G> * view.row[p]);
-    const Block<G> a = Block<G>::load(l);
-    from_x = fma(a.first, below, from_x);
-    from_y = fma(a.second, below, from_y);
-  }
-  return Pair<G>::load(z + kPair<G> * j) - transposed<G>(from_x + also_x, from_y + also_y);
+  if (p < view.begin[j + 1]) sum.add(Block<G, D>::load(l), load<G, D>(z, view.row[p]));
+  for (int c = 0; c < D; ++c) sum.along[c] = sum.along[c] + also.along[c];
+  return load<G, D>(z, j) - sum.sum();
 }
 
 // The same for columns j and j + 1 of one supernode, into z.
-template <int G>
+template <int G, int D>
 inline void substitute_two(const LaneView& view, Index j, double* z) {
-  const Pair<G> zero = Pair<G>::all(0.0);
-  Pair<G> from_x = zero, from_y = zero, next_x = zero, next_y = zero;
-  const double* first = view.blocks + std::size_t{kBlock<G>} * (view.begin[j] + 2);
-  const double* second = view.blocks + std::size_t{kBlock<G>} * (view.begin[j + 1] + 1);
-  for (Index p = view.begin[j + 1] + 1; p < view.begin[j + 2]; ++p, first += kBlock<G>, second += kBlock<G>) {
-    const Pair<G> below = Pair<G>::load(z + kPair<G> * view.row[p]);
-    const Block<G> l = Block<G>::load(first), m = Block<G>::load(second);
-    from_x = fma(l.first, below, from_x);
-    from_y = fma(l.second, below, from_y);
-    next_x = fma(m.first, below, next_x);
-    next_y = fma(m.second, below, next_y);
+  Transposed<G, D> sum, next_sum;
+  const double *first = block_at<G, D>(view, view.begin[j] + 2), *second = block_at<G, D>(view, view.begin[j + 1] + 1);
+  for (Index p = view.begin[j + 1] + 1; p < view.begin[j + 2]; ++p, first += kBlock<G, D>, second += kBlock<G, D>) {
+    const Vec<G, D> below = load<G, D>(z, view.row[p]);
+    sum.add(Block<G, D>::load(first), below);
+    next_sum.add(Block<G, D>::load(second), below);
   }
-  const Pair<G> next = Pair<G>::load(z + kPair<G> * (j + 1)) - transposed<G>(next_x, next_y);
-  next.store(z + kPair<G> * (j + 1));
-  const Block<G> between = Block<G>::load(view.blocks + std::size_t{kBlock<G>} * (view.begin[j] + 1));
-  (Pair<G>::load(z + kPair<G> * j) - transposed<G>(fma(between.first, next, from_x), fma(between.second, next, from_y)))
-      .store(z + kPair<G> * j);
+  const Vec<G, D> next = load<G, D>(z, j + 1) - next_sum.sum();
+  next.store(at_node<G, D>(z, j + 1));
+  sum.add(load_block<G, D>(view, view.begin[j] + 1), next);
+  (load<G, D>(z, j) - sum.sum()).store(at_node<G, D>(z, j));
 }
 
-template <int G>
-void backward(const LaneView& view, double* z) {
+template <int G, int D>
+[[gnu::noinline, gnu::flatten]] void backward(const LaneView& view, double* z) {
   for (Index j = view.nodes; j-- > 0;) {
     if (j > 0 && view.twin[j - 1]) {
-      substitute_two<G>(view, --j, z);
+      substitute_two<G, D>(view, --j, z);
     } else {
-      substitute<G>(view, j, z).store(z + kPair<G> * j);
+      substitute<G, D>(view, j, z).store(at_node<G, D>(z, j));
     }
   }
 }
 
-template <int G>
-void solve(const LaneView& view, double* x) {
-  for (Index j = 0; j < view.nodes;) j = forward_step<G>(view, j, x);
-  backward<G>(view, x);
+template <int G, int D>
+[[gnu::noinline, gnu::flatten]] void solve(const LaneView& view, double* x) {
+  for (Index j = 0; j < view.nodes;) j = forward_step<G, D>(view, j, x);
+  backward<G, D>(view, x);
 }
 
-template <int G>
-void clear(const LaneView& view, double* x) {
-  for (Index j = 0; j < view.nodes; ++j) Pair<G>::all(0.0).store(x + kPair<G> * j);
+template <int G, int D>
+[[gnu::flatten]] void clear(const LaneView& view, double* x) {
+  for (Index j = 0; j < view.nodes; ++j) Vec<G, D>::all(0.0).store(at_node<G, D>(x, j));
+}
+
+// A spring: its ends and its direction, from low to high.
+template <int D>
+struct Ends {
+  Index low, high;
+  double direction[D];
+
+  Ends(const LaneView& view, Index spring) : low(view.ends[spring].low), high(view.ends[spring].high) {
+    for (int a = 0; a < D; ++a) direction[a] = view.direction[D * spring + a];
+  }
+};
+
+// The direction in every group.
+template <int G, int D>
+inline Vec<G, D> direction_of(const Ends<D>& s) {
+  return by_axis<G, D>([&](auto a) { return Lane<G>::all(s.direction[a]); });
 }
 
 // b_e at its two nodes, zero where held.
-template <int G>
-inline void place_spring(const LaneView& view, const LaneSpring& s, double* w) {
-  const Pair<G> b = pair_of<G>(Lane<G>::all(s.dx), Lane<G>::all(s.dy));
-  const Pair<G> none = Pair<G>::all(0.0);
-  (none - b * Pair<G>::load(view.free + kPair<G> * s.low)).store(w + kPair<G> * s.low);
-  (b * Pair<G>::load(view.free + kPair<G> * s.high)).store(w + kPair<G> * s.high);
+template <int G, int D>
+inline void place_spring(const LaneView& view, const Ends<D>& s, double* w) {
+  const Vec<G, D> b = direction_of<G>(s);
+  const Vec<G, D> none = Vec<G, D>::all(0.0);
+  (none - b * load<G, D>(view.free, s.low)).store(at_node<G, D>(w, s.low));
+  (b * load<G, D>(view.free, s.high)).store(at_node<G, D>(w, s.high));
 }
 
-template <int G>
-inline Lane<G> elongation(const LaneSpring& s, const double* u) {
-  const Pair<G> d = Pair<G>::load(u + kPair<G> * s.high) - Pair<G>::load(u + kPair<G> * s.low);
-  return fma(y_of<G>(d), Lane<G>::all(s.dy), x_of<G>(d) * s.dx);
+// b_e·u.
+template <int G, int D>
+inline Lane<G> elongation(const Ends<D>& s, const double* u) {
+  const Vec<G, D> d = load<G, D>(u, s.high) - load<G, D>(u, s.low);
+  Lane<G> sum = axis<0>(d) * s.direction[0];
+  for_axes<D>([&](auto a) {
+    if constexpr (a > 0) sum = fma(axis<a>(d), Lane<G>::all(s.direction[a]), sum);
+  });
+  return sum;
 }
 
-template <int G>
-void solve_spring(const LaneView& view, Index spring, double* z) {
-  const LaneSpring& s = view.spring[spring];
-  clear<G>(view, z);
+template <int G, int D>
+[[gnu::flatten]] void solve_spring(const LaneView& view, Index spring, double* z) {
+  const Ends<D> s(view, spring);
+  clear<G, D>(view, z);
   place_spring<G>(view, s, z);
   // Only columns on the path from the lower end to the root see anything.
-  for (Index j = s.low; j != kNoNode;) j = view.parent[forward_step<G>(view, j, z) - 1];
-  backward<G>(view, z);
+  for (Index j = s.low; j != kNoNode;) j = view.parent[forward_step<G, D>(view, j, z) - 1];
+  backward<G, D>(view, z);
 }
 
-template <int G>
-void solve_loads(const LaneView& view, double* u) {
-  const std::size_t size = std::size_t{kPair<G>} * view.nodes;
-  for (Index s = 0; s < view.slots; ++s) {
-    for (Index j = 0; j < view.nodes; ++j)
-      Pair<G>::load(view.force + s * size + kPair<G> * j).store(u + s * size + kPair<G> * j);
-    solve<G>(view, u + s * size);
+// y += b_e times what each group has in `force`.
+template <int G, int D>
+inline void add_spring(const Ends<D>& s, const Lane<G>& force, double* y) {
+  const Vec<G, D> f = by_axis<G, D>([&](auto a) { return force * s.direction[a]; });
+  (load<G, D>(y, s.low) - f).store(at_node<G, D>(y, s.low));
+  (load<G, D>(y, s.high) + f).store(at_node<G, D>(y, s.high));
+}
+
+template <int G, int D>
+inline void hold(const LaneView& view, double* y) {
+  for (Index j = 0; j < view.nodes; ++j) (load<G, D>(y, j) * load<G, D>(view.free, j)).store(at_node<G, D>(y, j));
+}
+
+template <int G, int D>
+[[gnu::flatten]] void solve_loads(const LaneView& view, const double* stiffness, double* u) {
+  const std::size_t size = std::size_t{kVector<G, D>} * view.nodes;
+  for (Index slot = 0; slot < view.slots; ++slot, u += size) {
+    for (Index j = 0; j < view.nodes; ++j) load<G, D>(view.force + slot * size, j).store(at_node<G, D>(u, j));
+    if (view.moved_springs == 0) {
+      solve<G, D>(view, u);
+      continue;
+    }
+    const double* prescribed = view.prescribed + slot * size;
+    for (Index i = 0; i < view.moved_springs; ++i) {
+      const Ends<D> s(view, view.moved[i]);
+      add_spring<G>(s, elongation<G>(s, prescribed) * (-stiffness[view.moved[i]]), u);
+    }
+    hold<G, D>(view, u);
+    solve<G, D>(view, u);
+    for (Index j = 0; j < view.nodes; ++j) (load<G, D>(u, j) + load<G, D>(prescribed, j)).store(at_node<G, D>(u, j));
   }
 }
 
-template <int G>
-double squared_error(const LaneView& view, const double* u) {
-  Pair<G> sum = Pair<G>::all(0.0);
+template <int G, int D>
+[[gnu::flatten]] double squared_error(const LaneView& view, const double* u) {
+  Product<G, D> sum = Product<G, D>::all(0.0);
   for (Index s = 0, at = 0; s < view.slots; ++s) {
-    for (Index j = 0; j < view.nodes; ++j, at += kPair<G>) {
-      const Pair<G> off = Pair<G>::load(u + at) - Pair<G>::load(view.reference + at);
-      sum = fma(Pair<G>::load(view.weight + kPair<G> * j) * off, off, sum);
+    for (Index j = 0; j < view.nodes; ++j, at += kVector<G, D>) {
+      const Vec<G, D> off = Vec<G, D>::load(u + at) - Vec<G, D>::load(view.reference + at);
+      sum = add_product(load<G, D>(view.weight, j) * off, off, sum);
     }
   }
   return sum.sum();

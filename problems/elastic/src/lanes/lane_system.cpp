@@ -28,21 +28,21 @@ LaneSystem::LaneSystem(const LaneStructure& structure, const LaneKernels& kernel
 
 LaneFactored LaneSystem::factorize(std::span<const double> stiffness) {
   if (blocks_.size() == 0) {
-    blocks_ = AlignedArray(4 * structure_.lanes() * structure_.graph().blocks());
+    blocks_ = AlignedArray(structure_.factor_size());
     view_.blocks = blocks_.data();
   }
   return kernels_.factorize(view_, stiffness.data());
 }
 
-bool LaneSystem::agrees_with(const FullEvaluation& solved, double reference_norm) const {
+bool LaneSystem::agrees_with(const FullEvaluation& solved, std::span<const double> stiffness,
+                             double reference_norm) const {
   double theirs = 0.0;
   for (const LaneStructure::Slot& slot : structure_.loads()) {
     const EquilibriumGroup& group = solved.group(slot.group).group();
-    if (group.has_prescribed_motion()) return true;
     theirs += squared_error(group, slot.slot, solved.group(slot.group).displacement(slot.slot).data());
   }
   AlignedArray u(structure_.slots() * structure_.vector_size());
-  kernels_.solve_loads(view_, u.data());
+  kernels_.solve_loads(view_, stiffness.data(), u.data());
   const double ours = kernels_.squared_error(view_, u.data());
   return std::abs(std::sqrt(ours) - std::sqrt(theirs)) <= kAgreement * (std::sqrt(theirs) + reference_norm);
 }
@@ -52,9 +52,8 @@ void LaneSystem::take_displacements(const FullEvaluation& solved, double* u) con
     const EquilibriumGroup& group = solved.group(slot.group).group();
     const std::span<const double> placed = solved.group(slot.group).displacement(slot.slot);
     double* to = u + slot.slot * structure_.vector_size();
-    for (std::size_t node = 0; node < structure_.graph().nodes(); ++node)
-      for (const std::size_t axis : {0, 1})
-        to[structure_.at(node, axis, slot.lane)] = placed[group.place()[2 * node + axis]];
+    for (std::size_t freedom = 0; freedom < group.freedoms(); ++freedom)
+      to[structure_.at(freedom, slot.lane)] = placed[group.place()[freedom]];
   }
 }
 

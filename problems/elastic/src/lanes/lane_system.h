@@ -3,7 +3,7 @@
 
 /// The lane factor of up to eight support groups with its workspaces: the state that the kernels work on.
 ///
-/// Cost     memory: 32 bytes per lane and block of the factor (made at the first factorize), and a few vectors.
+/// Cost     memory: 8·D² bytes per lane and block of the factor (made at the first factorize), and a few vectors.
 /// Threads  one per thread.
 
 #include <cstdint>
@@ -22,10 +22,11 @@ class LaneSystem {
   LaneSystem(const LaneStructure& structure, const LaneKernels& kernels);
 
   LaneFactored factorize(std::span<const double> stiffness);
-  /// True when the factor's own displacements give the G of a full evaluation, to 2.5e-10 of it and of the reference.
-  /// (Always true where a support moves: lanes don't solve for that.)
-  [[nodiscard]] bool agrees_with(const FullEvaluation& solved, double reference_norm) const;
-  /// Displacements of a full evaluation, into [slots] vectors of pairs.
+  /// True when the factor's own displacements give the G of a full evaluation at the same stiffnesses, to 2.5e-10 of it
+  /// and of the reference.
+  [[nodiscard]] bool agrees_with(const FullEvaluation& solved, std::span<const double> stiffness,
+                                 double reference_norm) const;
+  /// Displacements of a full evaluation, into [slots] vectors.
   void take_displacements(const FullEvaluation& solved, double* u) const;
 
   [[nodiscard]] const LaneStructure& structure() const noexcept { return structure_; }

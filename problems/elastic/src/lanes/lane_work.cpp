@@ -4,16 +4,17 @@
 namespace nodal::elastic {
 
 Work lane_work(const LaneSystem& system, const LaneCounts& counts) {
-  constexpr double kFlopsPerBlock = 8.0;  // four multiplications, four additions
   const NodeGraph& graph = system.structure().graph();
   const auto groups = static_cast<std::int64_t>(system.structure().groups());
+  const auto d = static_cast<double>(graph.dimension);
+  const double flops_per_block = 2.0 * d * d;  // as many multiplications as additions
   const double passes = static_cast<double>(counts.path_passes) * graph.path_blocks +
                         static_cast<double>(counts.full_passes) * static_cast<double>(graph.blocks());
   const double factoring = static_cast<double>(counts.factorizations) * graph.factorization_flops;
   return {.factorizations = groups * counts.factorizations,
           .solves = groups * counts.solves,
           .rank_one_updates = groups * counts.rank_one_updates,
-          .flops = static_cast<double>(groups) * (factoring + kFlopsPerBlock * passes),
+          .flops = static_cast<double>(groups) * (factoring + flops_per_block * passes),
           .factorization_flops = static_cast<double>(groups) * factoring};
 }
 

@@ -20,7 +20,7 @@ constexpr double kScalarSolve = 3.0;        // one block of one group in a CHOLM
 constexpr double kScalarCall = 400.0;       // a CHOLMOD call for one group
 constexpr double kMostBytes = 4.0 * 1073741824.0;
 
-// The sizes that costs depend on.
+// The sizes that costs depend on, whatever the dimension in blocks of 2×2 numbers and vectors of two.
 struct Sizes {
   double nodes, blocks, path, springs, groups, numbers;  // numbers: doubles of a pair in all lanes
   double members, coordinates, lane_factoring, scalar_factoring, listed;
@@ -29,9 +29,10 @@ struct Sizes {
 Sizes sizes_of(const ElasticModel& model, const LaneModel& lanes) {
   Sizes s{};
   const NodeGraph& graph = lanes.graph;
-  s.nodes = static_cast<double>(graph.nodes());
-  s.blocks = static_cast<double>(graph.blocks());
-  s.path = graph.path_blocks;
+  const double axes = static_cast<double>(graph.dimension) / 2.0;
+  s.nodes = axes * static_cast<double>(graph.nodes());
+  s.blocks = axes * axes * static_cast<double>(graph.blocks());
+  s.path = axes * axes * graph.path_blocks;
   s.springs = static_cast<double>(graph.springs.size());
   s.groups = static_cast<double>(model.groups.size());
   s.coordinates = static_cast<double>(model.parameters.size());
@@ -41,7 +42,7 @@ Sizes sizes_of(const ElasticModel& model, const LaneModel& lanes) {
     s.listed += static_cast<double>(
         table_stride(static_cast<std::uint32_t>(structure->slots()), static_cast<std::uint32_t>(structure->lanes())));
   }
-  s.lane_factoring = graph.factorization_flops / kFlopsOfFactoring + s.springs * 4.0;
+  s.lane_factoring = graph.factorization_flops / kFlopsOfFactoring + axes * axes * s.springs * 4.0;
   for (const auto& group : model.groups) s.scalar_factoring += group->pattern().factorization_flops() / kScalarFlops;
   return s;
 }
@@ -115,8 +116,6 @@ CostModel::CostModel(const ElasticModel& model, const LaneModel& lanes) {
   const bool tied = !model.parameters.one_to_one();
   exclude(cost_of(Form::eager), tied, "tied springs: a change is no rank-one change");
   exclude(cost_of(Form::updown), tied, "tied springs: a change is no rank-one change");
-  const bool moving = std::ranges::any_of(model.groups, [](const auto& g) { return g->has_prescribed_motion(); });
-  exclude(cost_of(Form::refactor), moving, "a support moves");
   for (const auto& structure : lanes.structures) {
     const bool crowded = structure->slots() > kMostListedSlots;
     exclude(cost_of(Form::eager), crowded, "too many loads in one support group");

@@ -12,9 +12,9 @@ bool EagerForm::factorize(std::span<const double> stiffness) {
   return std::ranges::all_of(systems(), [&](LaneSystem& system) { return system.factorize(stiffness).fine; });
 }
 
-bool EagerForm::vouches(const FullEvaluation& solved) {
-  return std::ranges::all_of(systems(),
-                             [&](LaneSystem& system) { return system.agrees_with(solved, model().reference_norm); });
+bool EagerForm::vouches(std::span<const double> stiffness, const FullEvaluation& solved) {
+  return std::ranges::all_of(
+      systems(), [&](LaneSystem& system) { return system.agrees_with(solved, stiffness, model().reference_norm); });
 }
 
 void EagerForm::solve_spring(std::size_t s, std::size_t spring) {

@@ -16,7 +16,7 @@ class EagerForm final : public TableForm {
 
  private:
   bool factorize(std::span<const double> stiffness) override;
-  bool vouches(const FullEvaluation& solved) override;
+  bool vouches(std::span<const double> stiffness, const FullEvaluation& solved) override;
   void solve_spring(std::size_t s, std::size_t spring) override;
   bool change(std::size_t spring, double delta) override;
   [[nodiscard]] Work solver_work() const override;

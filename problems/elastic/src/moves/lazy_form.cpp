@@ -21,7 +21,8 @@ LazyForm::LazyForm(const ElasticModel& model, const LaneModel& lanes)
 bool LazyForm::reset(std::span<const double> stiffness, const FullEvaluation& solved) {
   ++factorizations_;
   for (std::size_t s = 0; s < systems_.size(); ++s) {
-    if (!systems_[s].factorize(stiffness).fine || !systems_[s].agrees_with(solved, model_.reference_norm)) return false;
+    if (!systems_[s].factorize(stiffness).fine || !systems_[s].agrees_with(solved, stiffness, model_.reference_norm))
+      return false;
     systems_[s].take_displacements(solved, current_[s].data());
   }
   return true;

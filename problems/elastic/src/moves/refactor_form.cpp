@@ -21,7 +21,7 @@ bool RefactorForm::reset(std::span<const double> stiffness, const FullEvaluation
   std::ranges::copy(stiffness, proposed_.begin());
   ++factorizations_;
   return std::ranges::all_of(systems_, [&](LaneSystem& system) {
-    return system.factorize(stiffness).fine && system.agrees_with(solved, model_.reference_norm);
+    return system.factorize(stiffness).fine && system.agrees_with(solved, stiffness, model_.reference_norm);
   });
 }
 
@@ -35,9 +35,10 @@ Priced RefactorForm::price(const Change& change) {
     LaneSystem& system = systems_[s];
     const LaneFactored factored = system.factorize(proposed_);
     // What can't be trusted to a plain solve is left to CHOLMOD, which refines or says what is wrong.
-    if (!factored.fine || plain_solve_loses(2 * system.view().nodes, factored.smallest_pivot_ratio))
+    if (!factored.fine ||
+        plain_solve_loses(system.structure().dimension() * system.view().nodes, factored.smallest_pivot_ratio))
       return price_in_full();
-    system.kernels().solve_loads(system.view(), displacements_[s].data());
+    system.kernels().solve_loads(system.view(), proposed_.data(), displacements_[s].data());
     squared += system.kernels().squared_error(system.view(), displacements_[s].data());
   }
   return {Status::ok, squared};

@@ -2,7 +2,7 @@
 #pragma once
 
 /// Factors the changed system anew for each proposal, all groups at once in the lanes: for tied springs, where a change
-/// has too high a rank for anything less. Needs supports at rest (the lanes don't solve for prescribed motion).
+/// has too high a rank for anything less.
 ///
 /// Cost     price: one factorization and one solve per load, in lanes; accept: nothing.
 /// Threads  one per thread.

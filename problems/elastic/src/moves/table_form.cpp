@@ -22,7 +22,7 @@ TableForm::TableForm(const ElasticModel& model, const LaneModel& lanes)
 }
 
 bool TableForm::reset(std::span<const double> stiffness, const FullEvaluation& solved) {
-  if (!factorize(stiffness) || !vouches(solved)) return false;
+  if (!factorize(stiffness) || !vouches(stiffness, solved)) return false;
   std::ranges::copy(stiffness, stiffness_.begin());
   squared_ = solved.squared();
   for (std::size_t s = 0; s < systems_.size(); ++s) {

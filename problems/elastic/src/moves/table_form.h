@@ -37,7 +37,7 @@ class TableForm : public PricingForm {
   /// Factors K(stiffness). False when it is not positive definite.
   virtual bool factorize(std::span<const double> stiffness) = 0;
   /// True when the factor solves for the loads as the full evaluation did.
-  virtual bool vouches(const FullEvaluation& solved) = 0;
+  virtual bool vouches(std::span<const double> stiffness, const FullEvaluation& solved) = 0;
   /// z = K⁻¹b_e into system `s`'s view.z.
   virtual void solve_spring(std::size_t s, std::size_t spring) = 0;
   /// The factor of the changed K, ẑ and K'⁻¹Wẑ into view.z and view.y of every system. False when that fails.

@@ -3,27 +3,31 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
+#include <utility>
 
 namespace nodal::elastic {
 
 namespace {
 
-// The nonzeros of b_e on free freedoms, ascending.
+// The nonzeros of b_e on free freedoms, ascending; six in space.
 struct SparseColumn {
-  std::array<int, 4> positions{};
-  std::array<double, 4> values{};
+  std::array<int, 6> positions{};
+  std::array<double, 6> values{};
   std::size_t size = 0;
 };
 
 SparseColumn column_of(const EquilibriumGroup& group, const Spring& spring) {
-  std::array<std::pair<std::size_t, double>, 4> entries = {
-      {{group.place()[2 * spring.first], -spring.direction[0]},
-       {group.place()[2 * spring.first + 1], -spring.direction[1]},
-       {group.place()[2 * spring.second], spring.direction[0]},
-       {group.place()[2 * spring.second + 1], spring.direction[1]}}};
-  std::ranges::sort(entries);
+  const Freedoms& numbering = group.numbering();
+  const std::size_t dimension = numbering.dimension;
+  std::array<std::pair<std::size_t, double>, 6> entries;
+  for (std::size_t a = 0; a < dimension; ++a) {
+    entries[a] = {group.place()[numbering.at(spring.first, a)], -spring.direction[a]};
+    entries[dimension + a] = {group.place()[numbering.at(spring.second, a)], spring.direction[a]};
+  }
+  std::ranges::sort(std::span(entries).first(2 * dimension));
   SparseColumn column;
-  for (const auto& [position, value] : entries) {
+  for (const auto& [position, value] : std::span(entries).first(2 * dimension)) {
     if (position >= group.free() || value == 0.0) continue;
     column.positions[column.size] = static_cast<int>(position);
     column.values[column.size++] = value;
@@ -34,7 +38,7 @@ SparseColumn column_of(const EquilibriumGroup& group, const Spring& spring) {
 }  // namespace
 
 UpdownForm::UpdownForm(const ElasticModel& model, const LaneModel& lanes)
-    : TableForm(model, lanes), spread_(2 * model.scene.net.nodes.size(), 0.0) {
+    : TableForm(model, lanes), spread_(model.scene.net.freedoms().size(), 0.0) {
   std::size_t first = 0;
   for (std::size_t s = 0; s < systems().size(); ++s) {
     const std::size_t count = systems()[s].structure().groups();
@@ -55,12 +59,10 @@ bool UpdownForm::factorize(std::span<const double> stiffness) {
   return true;
 }
 
-void UpdownForm::scatter(const Group& group, std::span<const double> placed, double* pairs) const {
+void UpdownForm::scatter(const Group& group, std::span<const double> placed, double* x) const {
   const LaneStructure& structure = systems()[group.system].structure();
-  for (std::size_t place = 0; place < group.group.freedoms(); ++place) {
-    const std::size_t freedom = group.group.freedom_at(place);
-    pairs[structure.at(freedom / 2, freedom % 2, group.lane)] = place < placed.size() ? placed[place] : 0.0;
-  }
+  for (std::size_t place = 0; place < group.group.freedoms(); ++place)
+    x[structure.at(group.group.freedom_at(place), group.lane)] = place < placed.size() ? placed[place] : 0.0;
 }
 
 void UpdownForm::solve_group(Group& group, std::size_t spring, double scale, double* z) {
@@ -76,11 +78,9 @@ void UpdownForm::solve_group(Group& group, std::size_t spring, double scale, dou
 void UpdownForm::solve_adjoint(Group& group) {
   const LaneSystem& system = systems()[group.system];
   const std::span<double> rhs = group.factor.right_hand_side(1);
-  for (std::size_t place = 0; place < group.group.free(); ++place) {
-    const std::size_t freedom = group.group.freedom_at(place);
-    rhs[place] =
-        group.group.weights()[place] * system.view().z[system.structure().at(freedom / 2, freedom % 2, group.lane)];
-  }
+  for (std::size_t place = 0; place < group.group.free(); ++place)
+    rhs[place] = group.group.weights()[place] *
+                 system.view().z[system.structure().at(group.group.freedom_at(place), group.lane)];
   ++work_.solves;
   work_.flops += group.group.pattern().solve_flops();
   scatter(group, group.factor.solve(1), system.view().y);

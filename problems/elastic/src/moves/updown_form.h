@@ -17,7 +17,9 @@ class UpdownForm final : public TableForm {
 
  private:
   bool factorize(std::span<const double> stiffness) override;
-  bool vouches(const FullEvaluation& /*solved*/) override { return true; }  // the same factorization
+  bool vouches(std::span<const double> /*stiffness*/, const FullEvaluation& /*solved*/) override {
+    return true;
+  }  // the same factorization
   void solve_spring(std::size_t s, std::size_t spring) override;
   bool change(std::size_t spring, double delta) override;
   [[nodiscard]] Work solver_work() const override;
@@ -33,10 +35,10 @@ class UpdownForm final : public TableForm {
   void solve_group(Group& group, std::size_t spring, double scale, double* z);
   // K⁻¹Wz of what a lane holds in view.z, into view.y.
   void solve_adjoint(Group& group);
-  void scatter(const Group& group, std::span<const double> placed, double* pairs) const;
+  void scatter(const Group& group, std::span<const double> placed, double* x) const;
 
   std::vector<std::unique_ptr<Group>> groups_;
-  std::vector<double> spread_;  // [2·nodes] zeros
+  std::vector<double> spread_;  // zeros, by freedoms
   Work work_;
 };
 

@@ -216,7 +216,7 @@ std::vector<Stage> ElasticProblem::stages() const {
        values_by_lanes(model)
            ? fmt::format("values of a race: all support groups in one factorization ({} kernels)",
                          s.moves.instructions == "auto" ? best_lane_instructions() : s.moves.instructions)
-           : "values of a race come from CHOLMOD: it is asked for, or a support moves"},
+           : "values of a race come from CHOLMOD: it is asked for"},
       {"equilibrium", true,
        fmt::format("CHOLMOD {}, {} factorization{} per {}", supernodal ? "supernodal" : "simplicial",
                    model.groups.size(), model.groups.size() == 1 ? "" : "s",

@@ -159,7 +159,7 @@ MovesOptions read_moves(const Options& options, const Scene& scene) {
                                  "moves = {{ form = \"auto\" }}, or \"lazy\", \"refactor\" or \"full\"",
                                  moves.form, scene.parameter_rule.name));
   try {
-    (void)lane_kernels(1, moves.instructions);
+    (void)lane_kernels(moves.instructions, 2, 1);
   } catch (const std::invalid_argument& error) {
     throw InputError(options.at("instructions").source,
                      fmt::format("{}; take moves = {{ instructions = \"auto\" }}, which is '{}' here", error.what(),

@@ -49,8 +49,8 @@ std::vector<std::vector<std::size_t>> rigid_pieces(const Structure& structure) {
 
 // One number stands for a rigid motion: a fixed combination of its six.
 double signature(const RigidMotion& m) {
-  return m.shift[0] + 0.7548776662466927 * m.shift[1] + 0.5698402909980532 * m.turn[2] + 0.4301597090019468 * m.shift[2] +
-         0.3247179572447461 * m.turn[0] + 0.2451223337533073 * m.turn[1];
+  return m.shift[0] + 0.7548776662466927 * m.shift[1] + 0.5698402909980532 * m.turn[2] +
+         0.4301597090019468 * m.shift[2] + 0.3247179572447461 * m.turn[0] + 0.2451223337533073 * m.turn[1];
 }
 
 }  // namespace
@@ -103,8 +103,8 @@ RigidMotion RestFrame::motion_of_spring(const Corners& ends, const Motion& u) co
   return {{first[0] + turn * x[1], first[1] - turn * x[0], 0.0}, {0.0, 0.0, turn}};
 }
 
-// With sides p and q from the first corner and n = p × q: turn = p × u_p/|p|² + c p, where c makes the third corner move
-// as it does: c = (u_q − turn × q)·n/|n|².
+// With sides p and q from the first corner and n = p × q: turn = p × u_p/|p|² + c p, where c makes the third corner
+// move as it does: c = (u_q − turn × q)·n/|n|².
 RigidMotion RestFrame::motion_of_triangle(const Corners& corners, const Motion& u) const {
   const Vector x = place(corners[0]), p = place(corners[1]) - x, q = place(corners[2]) - x, n = cross(p, q);
   const Vector first = freedoms_.vector_at(u, corners[0]);

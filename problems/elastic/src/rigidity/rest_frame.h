@@ -3,8 +3,9 @@
 
 /// What is at rest while a mechanism moves: a free body's motions are told relative to its largest rigid part.
 ///
-/// Parts that turn as one are found by what determines a rigid motion: the two ends of a spring in the plane, the corners
-/// of a triangle of springs in space. In a motion chosen at random they move as one rigid body only if they are one.
+/// Parts that turn as one are found by what determines a rigid motion: the two ends of a spring in the plane, the
+/// corners of a triangle of springs in space. In a motion chosen at random they move as one rigid body only if they are
+/// one.
 
 #include <cstddef>
 #include <vector>
@@ -15,7 +16,8 @@ namespace nodal::elastic {
 
 using Motion = std::vector<double>;  ///< [dimension · nodes]
 
-/// u(X) = shift + turn × X, X about the middle of the nodes, in shares of their size. In the plane only turn[2] isn't 0.
+/// u(X) = shift + turn × X, X about the middle of the nodes, in shares of their size. In the plane only turn[2] isn't
+/// 0.
 struct RigidMotion {
   Vector shift{}, turn{};
 };
@@ -44,8 +46,8 @@ class RestFrame {
   Corners at_rest_ = {0};
 };
 
-/// How many rigid motions a free structure has: in the plane 3, or 2 of a single node; in space 6, 5 where all nodes lie
-/// on a line, 3 of a single one.
+/// How many rigid motions a free structure has: in the plane 3, or 2 of a single node; in space 6, 5 where all nodes
+/// lie on a line, 3 of a single one.
 [[nodiscard]] std::size_t rigid_motions_of(const Structure& structure);
 
 }  // namespace nodal::elastic
