@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-/// The hot loops of annealing, for several support groups at once in the lanes of one vector.
+/// The hot loops of values, derivatives and annealing, for several support groups at once in the lanes of one vector.
 ///
 /// K is factored on the node graph in 2×2 blocks, K = L D Lᵀ, with D_j⁻¹ kept instead of D_j. A spring e changed by δ
 /// changes the factor along one path of the elimination tree. With w_j what is left of b when column j is reached,

@@ -46,7 +46,7 @@ struct LaneView {
   const double* force;             // [slots][nodes] pairs, 0 where held; supports' motion not included
   // State.
   double* blocks;  // K = L D Lᵀ: D_j⁻¹ in the diagonal blocks, L below
-  double* work;    // [nodes] pairs, zero between calls; factorizing uses [nodes] blocks
+  double* work;    // [nodes] pairs, zero between calls; factorizing keeps [nodes] uint32 positions in it
   double* z;       // [nodes] pairs
   double* y;       // [nodes] pairs
 };

@@ -49,7 +49,7 @@ struct Scene {
   std::string solver = "auto";     ///< auto | lanes | simplicial | supernodal
   double stress = 1.0;             ///< of the plate loads
   Value masses;                    ///< how well the net's masses have the body's moments; an empty table without masses
-  std::string files_hash;          ///< of the contents of all files that the scene was read from; empty without any
+  std::string files_hash;          ///< of the files of body, points, springs and reference; a start counts by values
   std::string measured_reference;  ///< where the reference comes from, for `explain`; empty for the closed form
   MovesOptions moves = {};
   std::string supports_choice = {};          ///< of the plate's loads where a study doesn't say, for `explain`
