@@ -27,7 +27,7 @@ struct Weights {
   double inner = 1.0, border = 3.0, corner = 15.0;
 };
 
-/// How single changes are priced; docs/formulation.md explains the forms.
+/// How single changes are priced; docs/formulation/moves.md explains the forms.
 struct MovesOptions {
   std::string form = "auto";          ///< auto | eager | lazy | refactor | updown | full
   std::string instructions = "auto";  ///< of the lane kernels: auto, or one of lane_instructions()
