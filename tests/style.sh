@@ -7,19 +7,21 @@ cd "$(dirname "$0")/.."
 
 sources() { git ls-files '*.cpp' '*.h' '*.inl'; }
 
-# Public headers, and those of optimizers, which have no others: all in one source, since one costs as much as all.
+public_headers() { git ls-files 'lib/include/*.h' 'problems/*/include/*.h' 'bench/include/*.h'; }
+
+# Includes every public header, and those of optimizers, which have no others: to judge one takes as long as to judge all.
 write_headers_source() {
-  git ls-files 'lib/include/*.h' 'problems/*/include/*.h' 'bench/include/*.h' | sed 's|.*/include/\(.*\)|#include <\1>|'
+  public_headers | sed 's|.*/include/\(.*\)|#include <\1>|'
   git ls-files 'optimizers/*.h' | sed "s|.*|#include \"$PWD/&\"|"
 }
 
 tidy() {
   build=$1
-  cmake --build "$build" --target nodal_revision >/dev/null  # a header that provenance.cpp includes
+  cmake --build "$build" --target nodal_revision >&2 || return  # writes a header that lib includes
   write_headers_source >"$build/headers.cpp"
-  includes=$(git ls-files 'lib/include/*.h' 'problems/*/include/*.h' 'bench/include/*.h' | sed 's|/include/.*|/include|' | sort -u | sed 's|^|-I|')
-  # shellcheck disable=SC2086
-  clang-tidy-14 --quiet "$build/headers.cpp" -- -std=c++20 $includes -I/usr/include/eigen3
+  folders=$(public_headers | sed 's|/include/.*|/include|' | sort -u | sed 's|^|-I|')
+  # Eigen is where Debian has it; Ceres' headers include it.
+  clang-tidy-14 --quiet "$build/headers.cpp" -- -std=c++20 $folders -I/usr/include/eigen3 || return
   git ls-files 'lib/src/*.cpp' | xargs -n 1 -P "$(nproc)" clang-tidy-14 --quiet -p "$build"
 }
 
