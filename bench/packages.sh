@@ -7,7 +7,7 @@ demo="g++ cmake ninja-build git libsuitesparse-dev libopenblas0-serial libeigen3
       libceres-dev libtomlplusplus-dev libcli11-dev nlohmann-json3-dev libfmt-dev libboost-dev libjs-vega libbenchmark-dev
       libcgal-dev"
 tests="libgtest-dev chromium"
-ci="clang-14 libclang-rt-14-dev llvm-14 ccache"
+ci="clang-14 clang-format-14 clang-tidy-14 libclang-rt-14-dev llvm-14 ccache"
 
 case "${1:-demo}" in
   demo) wanted="$demo" ;;

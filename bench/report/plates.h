@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-/// Makes plates of an elastic problem: the one place where the report knows the problem.
+/// Makes plates of an elastic problem. Beside it only details.h knows what the problem is.
 
 #include <optional>
 #include <span>

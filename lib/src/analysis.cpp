@@ -257,7 +257,7 @@ std::optional<double> first_reached(const TrialRecord& record, double quality, A
   return point ? std::optional(position(record, *point, axis)) : std::nullopt;
 }
 
-ProblemTable make_table(const std::string& problem_label, std::optional<KnownOptimum> best_known,
+ProblemTable make_table(const std::string& problem_label, const std::optional<KnownOptimum>& best_known,
                         std::span<const RowRequest> optimizers, std::span<const TrialRecord> records) {
   std::vector<const TrialRecord*> trials;
   for (const TrialRecord& record : records)

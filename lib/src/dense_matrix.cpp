@@ -53,7 +53,7 @@ std::string dense_matrix_refusal(const OptimizerDescription& optimizer, const Pr
   if (bytes <= dense_matrix_limit()) return {};
   const std::size_t coordinates = problem.space().size();
   const bool jacobian = optimizer.dense_matrix == DenseMatrix::jacobian;
-  const std::string too_large =
+  std::string too_large =
       fmt::format("needs a dense {} of {} × {} numbers, {:.1f} GiB, where at most {:.1f} GiB are reasonable",
                   jacobian ? "Jacobian" : "matrix", jacobian ? problem.residual_count() : coordinates, coordinates,
                   bytes / kGiB, dense_matrix_limit() / kGiB);

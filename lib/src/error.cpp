@@ -29,7 +29,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 // what() ends at the first NUL, which a quoted text may hold: shown as TOML and JSON write it, it loses nothing.
 std::string uncut(std::string text) {
   for (std::size_t at = text.find('\0'); at != std::string::npos; at = text.find('\0', at))
-    text.replace(at, 1, escaped(std::string_view("", 1)));
+    text.replace(at, 1, escaped(std::string_view("\0", 1)));
   return text;
 }
 

@@ -60,9 +60,8 @@ class StudyReader {
   }
 
   Options section(const char* name, const OptionSchema& schema) const {
-    static const Value kEmpty;
     const Value* given = root_.find(name);
-    Value empty = kEmpty;
+    Value empty;
     empty.source = {file_, 0};
     return resolve_options(schema, given ? *given : empty, fmt::format("[{}]", name));
   }

@@ -24,9 +24,9 @@ namespace {
 constexpr int kDeterministicRepeats = 3;
 
 std::uint64_t stream_key(const Study& study, const std::string& problem, const std::string& purpose, int repeat) {
-  constexpr std::uint64_t k53Bits = (std::uint64_t{1} << 53) - 1;
+  constexpr std::uint64_t kLow53Bits = (std::uint64_t{1} << 53) - 1;
   const Value::List parts = {Value(study.seed), Value(problem), Value(purpose), Value(repeat)};
-  return hash64(to_canonical_json(Value(parts))) & k53Bits;
+  return hash64(to_canonical_json(Value(parts))) & kLow53Bits;
 }
 
 std::uint64_t trial_seed(const Study& study, const Trial& trial) {
@@ -265,7 +265,7 @@ TrialRecord run_trial(const Study& study, const Trial& trial, const Registry& re
   return record;
 }
 
-TrialRecord lost_trial(const Study& study, const Trial& trial, End end, std::string reason) {
+TrialRecord lost_trial(const Study& study, const Trial& trial, End end, const std::string& reason) {
   TrialRecord record = blank_record(study, trial);
   record.end = end;
   record.reason = beginning(reason, kMostOfAReason);

@@ -92,7 +92,7 @@ struct RowRequest {
 };
 
 /// `best_known` without a value: the best of the records, marked provisional.
-[[nodiscard]] ProblemTable make_table(const std::string& problem_label, std::optional<KnownOptimum> best_known,
+[[nodiscard]] ProblemTable make_table(const std::string& problem_label, const std::optional<KnownOptimum>& best_known,
                                       std::span<const RowRequest> optimizers, std::span<const TrialRecord> records);
 
 /// True where nothing is left to be found: the start's quality is not above G* by more than G* is known to (1e-9 of it

@@ -113,7 +113,7 @@ class Meter {
   [[nodiscard]] std::size_t residual_count() const { return problem_.residual_count(); }
   /// What people read, monotone in the cost.
   [[nodiscard]] double quality(double cost) const { return problem_.quality(cost); }
-  /// True once nothing will be evaluated any more: return from `minimize` soon.
+  /// True once nothing is evaluated any more: return from `minimize` soon.
   [[nodiscard]] bool spent() const noexcept { return stop_ != Stop::none; }
 
   Evaluation value(std::span<const double> x);

@@ -47,7 +47,7 @@ class Moves {
   virtual Evaluation reset(std::span<const double> x) = 0;
   /// Prices the current point with coordinate `i` set to `value`. The current point stays.
   virtual Evaluation propose(std::size_t i, double value) = 0;
-  /// Makes the last proposal the current point. std::logic_error unless that proposal was `ok` and not yet accepted.
+  /// Makes the last proposal the current point. std::logic_error unless that proposal was `ok`, and at a second call.
   /// Another status than ok leaves the current point as it was.
   [[nodiscard]] virtual Status accept() = 0;
   /// The current point; valid until the next call of accept, reset or resync.

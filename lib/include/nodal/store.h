@@ -2,7 +2,7 @@
 #pragma once
 
 /// A study's directory: manifest.json, trials/*.jsonl (one file per writing process, append-only), report.html,
-/// summary.csv, figures/.
+/// summary.csv.
 ///
 /// Crash-safe: a record is one line, written by one call; a line that was cut off or garbled is dropped, with a warning
 /// until its trial has run again. Nothing stored is ever overwritten: a trial that is run again adds a record with a
@@ -51,10 +51,11 @@ class Store {
   /// After `begin`: the process of another comparison that writes here now.
   [[nodiscard]] std::optional<int> other_writer() const noexcept;
 
-  /// The manifest as it stands: {schema, study: {name, text, file, directory}, problems: [{label, kind, options,
-  /// best_known}], optimizers: [{label, use, baseline, multi_start, deterministic}], left_out: […], keys: [the current
-  /// study's trials], runs: [{began, build, provenance}]}. But for the runs, whatever is there is of its right type.
-  /// Empty table for a new store.
+  /// The manifest as it stands: {schema, study: {name, file, directory, seed, repeats, text}, problems: [{label, kind,
+  /// options, best_known: {quality, origin}, details}], optimizers: [{label, use, baseline, multi_start,
+  /// deterministic}], left_out: [{label, use, reason}], keys: [the current study's trials], runs: [{began, build,
+  /// provenance}]}; best_known and details where there are any. But for the runs, whatever is there is of its right
+  /// type. Empty table for a new store.
   [[nodiscard]] const Value& manifest() const noexcept;
 
   /// Writes a file of the store (report.html, …) atomically.

@@ -40,6 +40,6 @@ struct Trial {
 [[nodiscard]] TrialRecord run_trial(const Study& study, const Trial& trial, const Registry& registry);
 
 /// The record of a trial whose process was killed (`timeout`) or died (`crashed`).
-[[nodiscard]] TrialRecord lost_trial(const Study& study, const Trial& trial, End end, std::string reason);
+[[nodiscard]] TrialRecord lost_trial(const Study& study, const Trial& trial, End end, const std::string& reason);
 
 }  // namespace nodal

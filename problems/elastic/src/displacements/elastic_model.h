@@ -22,7 +22,7 @@ struct ElasticModel {
   explicit ElasticModel(Scene scene_of_problem);
   ~ElasticModel();
 
-  /// What walks share; made at the first call. Safe to call from several threads.
+  /// What walks and lane evaluations share; made at the first call. Safe to call from several threads.
   [[nodiscard]] const LaneModel& lanes() const;
 
   /// ½ (G/‖u_ref‖_W)² from G² = Σ w (u − u_ref)².

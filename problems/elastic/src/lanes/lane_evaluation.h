@@ -4,9 +4,10 @@
 /// Values and derivatives of the elastic problem from the lane factor: all support groups in one pass, several times
 /// faster than one CHOLMOD factorization per group. What races see may come from here; what is reported never does.
 ///
-/// Accuracy the same rule as Equilibrium::solve_loads: where the worst pivot says that a plain solve may be off by more
-///          than 1e-10, one correction with the residual summed spring by spring; where that is large, or the system is
-///          not positive definite, nothing is said and CHOLMOD has to.
+/// Accuracy the rule of Equilibrium::solve_loads with two digits more of caution, as pivots are inverted (RefactorForm
+///          goes without these): where the worst pivot says that a solve may be off by more than 1e-10, one correction
+///          with the residual summed spring by spring; where that is large, or the system is not positive definite,
+///          nothing is said and CHOLMOD has to.
 /// Cost     value: one lane factorization, one solve per slot; gradient and products: one solve per slot; Jacobian: a
 ///          path and a pass per spring. Nothing is allocated after the first call of each.
 /// Threads  one per thread.

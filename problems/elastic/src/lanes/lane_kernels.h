@@ -16,7 +16,7 @@
 ///     accept     q̂ = b_f·ẑ, ρ̂ = b_f·K'⁻¹Wẑ, κ = σ/δ, with Q_e, R_e, t_e, v_e as they were:
 ///                Q −= κq̂²,  R −= q̂(R_e q̂ + 2κρ̂),  t −= v_e ρ̂ + t_e q̂,  v −= v_e q̂.
 /// For the changed spring itself Q = q̂/δ and R = ρ̂/δ (f = e), and R_e above is σ² times that.
-/// (The derivation: docs/formulation.md. In terms of the changed system's solutions nothing is divided by
+/// (The derivation: docs/formulation/moves.md. In terms of the changed system's solutions nothing is divided by
 /// σ, and one factor serves.)
 ///
 /// Held freedoms have unit rows, so they stay 0 in every solution of K: in z, in adjoints, in steps. Where they are

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-/// What walks of one problem share: the node graph and the lane structures of all support groups. Made when the first
-/// walk is, since nothing else needs it.
+/// What walks and lane evaluations of one problem share: the node graph and the lane structures of all support groups.
+/// Made with the problem where values go by lanes, else when the first walk is.
 ///
 /// Threads  immutable.
 

@@ -48,7 +48,7 @@ struct LaneView {
   std::uint32_t moved_springs;     // 0 where all supports are at rest: `prescribed` is not looked at then
   // State.
   double* blocks;  // K = L D Lᵀ: D_j⁻¹ in the diagonal blocks, L below
-  double* work;    // [nodes] vectors, zero between calls
+  double* work;    // [nodes] vectors, zero between calls; factorizing keeps [nodes] uint32 positions in it
   double* z;       // [nodes] vectors
   double* y;       // [nodes] vectors
 };

@@ -204,8 +204,8 @@ std::vector<Stage> ElasticProblem::stages() const {
        s.measured_reference.empty() ? "no file is given" : s.measured_reference},
       {"finite-element reference", false,
        !s.has_reference               ? "nodal has none"
-       : s.measured_reference.empty() ? "the closed form holds"
-                                      : "the reference was measured"},
+       : s.measured_reference.empty() ? "nodal has none; the closed form holds"
+                                      : "nodal has none; the reference was measured"},
       {"parameters", true,
        fmt::format("{}: {} coordinates (ln k) for {} springs", s.parameter_rule.name, parameters().size(),
                    parameters().springs())},

@@ -27,7 +27,7 @@ struct Weights {
   double inner = 1.0, border = 3.0, corner = 15.0;
 };
 
-/// How single changes are priced; docs/formulation.md explains the forms.
+/// How single changes are priced; docs/formulation/moves.md explains the forms.
 struct MovesOptions {
   std::string form = "auto";          ///< auto | eager | lazy | refactor | updown | full
   std::string instructions = "auto";  ///< of the lane kernels: auto, or one of lane_instructions()
@@ -49,7 +49,7 @@ struct Scene {
   std::string solver = "auto";     ///< auto | lanes | simplicial | supernodal
   double stress = 1.0;             ///< of the plate loads
   Value masses;                    ///< how well the net's masses have the body's moments; an empty table without masses
-  std::string files_hash;          ///< of the contents of all files that the scene was read from; empty without any
+  std::string files_hash;          ///< of the files of body, points, springs and reference; a start counts by values
   std::string measured_reference;  ///< where the reference comes from, for `explain`; empty for the closed form
   MovesOptions moves = {};
   std::string supports_choice = {};          ///< of the plate's loads where a study doesn't say, for `explain`

@@ -4,8 +4,9 @@
 /// The equilibrium in extended precision: what a result in doubles is measured against.
 ///
 /// Solves K(k) u = f of a scene, K = Σ k_e b_e b_eᵀ, from the same doubles (directions, stiffnesses, forces, supports)
-/// with 50 decimal digits throughout, by an LDLᵀ within the envelope of its own order of unknowns. It shares nothing
-/// with the solver that it checks but the scene. Results are rounded to doubles at the very end.
+/// with 50 decimal digits throughout, by an LDLᵀ within the envelope of its own order of unknowns. It shares no code
+/// with the solver that it checks but the scene's: assembly, order, factor and the sum of eq. (12) with its weights are
+/// written again. Results are rounded to doubles at the very end.
 ///
 /// Shapes   stiffness: [springs]; displacements: [loads][2 · nodes].
 /// Units    as the scene: N/m, N, m.

@@ -58,8 +58,10 @@ enum class SupportStyle {
 
 /// The plate loads on any body, with their references, which are exact for a homogeneous one. `stress` in Pa.
 ///
-/// edge     the held edges are those on the left and lower side of the bounding box; everything else feels the stress.
-///          The anchor of a stretch is the edge's node nearest to its middle.
+/// edge     the held edges are those on the left and lower side of the bounding box. A stretch pulls at all outlines
+///          but between nodes that it holds. A shear pulls at its held edge, too: no displacement feels that, but its
+///          forces balance, and its bearings are 0 where the net carries the stress exactly. The anchor of a stretch
+///          is the held edge's node nearest to its middle.
 /// minimal  held are the outline's lowest node (the leftmost of several) in x and y, and in y the one farthest from it
 ///          in x (the lowest of several): the two lower corners of a rectangle. The reference is the homogeneous field
 ///          plus the small rigid motion that makes it zero there.

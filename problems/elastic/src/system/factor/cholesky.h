@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-/// The one owner of CHOLMOD: LLᵀ of a sparse symmetric matrix whose pattern never changes.
+/// The one owner of CHOLMOD's factors: LLᵀ of a sparse symmetric matrix whose pattern never changes.
 ///
 /// The pattern is ordered (AMD, postordered) and analyzed once, in a CholeskyPattern that threads share; matrices are
 /// handed over already permuted, which saves CHOLMOD the permuting and its allocations at every factorization.
