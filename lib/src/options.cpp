@@ -119,8 +119,9 @@ class Check {
   Value list(CheckEntry check) const {
     if (!value_.is_list()) wrong_type(option_.type);
     const Value::List& given = value_.list();
-    if (option_.length > 0 && given.size() != option_.length)
-      refuse(fmt::format("has {} entries; it must have {}", given.size(), option_.length));
+    const std::size_t longest = std::max(option_.length, option_.longest);
+    if (option_.length > 0 && (given.size() < option_.length || given.size() > longest))
+      refuse(fmt::format("has {} entries; it must have {}", given.size(), length_text(option_)));
     Value::List items;
     for (std::size_t i = 0; i < given.size(); ++i)
       items.push_back(check(Check(fmt::format("entry {} of {}", i + 1, name_), option_, given[i])));
@@ -206,6 +207,12 @@ std::string_view to_string(OptionType type) noexcept {
       return "list of tables";
   }
   return "value";
+}
+
+std::string length_text(const Option& option) {
+  if (option.length == 0) return {};
+  return option.longest > option.length ? fmt::format("{} or {}", option.length, option.longest)
+                                        : fmt::format("{}", option.length);
 }
 
 std::string range_text(const Option& option) {

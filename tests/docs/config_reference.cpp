@@ -165,7 +165,8 @@ std::string default_text(const Option& option) {
 std::string allowed_text(const Option& option) {
   std::vector<std::string> parts;
   const std::string range = range_text(option);
-  if (option.length > 0) parts.push_back(fmt::format("{} entries{}", option.length, range.empty() ? "" : ", each"));
+  if (option.length > 0)
+    parts.push_back(fmt::format("{} entries{}", length_text(option), range.empty() ? "" : ", each"));
   if (!range.empty()) parts.push_back(code(range));
   std::vector<std::string> choices;
   for (const std::string& choice : option.choices) choices.push_back(code(choice));

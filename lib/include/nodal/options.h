@@ -45,6 +45,7 @@ struct Option {
   bool minimum_excluded = false;          ///< the range is open at its lower end
   bool maximum_excluded = false;          ///< the range is open at its upper end
   std::size_t length = 0;                 ///< of a list of numbers; 0 is any
+  std::size_t longest = 0;                ///< where it may be longer than `length`: up to this
   std::vector<std::string> choices = {};  ///< of a text; empty is any text
   std::string help = {};                  ///< one line: what it means and why this default
   std::vector<Option> fields = {};        ///< of a table, or of each of a list
@@ -83,6 +84,9 @@ class Options {
 /// nearest valid ones offered), a wrong type, a number that is not finite or out of range, a list of the wrong length,
 /// a text that is none of the choices, a required key left out.
 [[nodiscard]] Options resolve_options(const OptionSchema& schema, const Value& given, const std::string& owner);
+
+/// "2" or "2 or 3": how many entries a list must have; "" when any.
+[[nodiscard]] std::string length_text(const Option& option);
 
 /// "0 < x ≤ 1" or "" when unbounded: a range as people write it.
 [[nodiscard]] std::string range_text(const Option& option);

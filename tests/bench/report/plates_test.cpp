@@ -13,7 +13,7 @@ elastic::Scene plate_scene() {
   elastic::Scene scene;
   scene.net = elastic::make_grid_net(elastic::rectangle_body({0.0, 0.0}, {3.0, 2.0}), 4, 3, "crossed");
   scene.material = material;
-  scene.loads = elastic::make_plate_loads(scene.net, material, 1.0, elastic::SupportStyle::edge);
+  scene.loads = elastic::make_basic_loads(scene.net, material, 1.0, elastic::SupportStyle::edge);
   scene.initial_stiffness.assign(scene.net.springs.size(), 0.5);
   scene.stiffness_bounds = {1e-4, 1e2};
   return scene;

@@ -35,6 +35,7 @@ std::vector<std::string> every_group(const ElasticProblem& problem) {
 std::string system_json(const Net& net, const std::vector<double>& stiffness, const SystemDetails& details) {
   const auto node = [&](std::size_t i) {
     std::string entry = fmt::format("\"node\": {}, \"x\": {}, \"y\": {}", net.id(i), net.nodes[i][0], net.nodes[i][1]);
+    if (net.dimension == 3) entry += fmt::format(", \"z\": {}", net.nodes[i][2]);
     if (!net.masses.empty()) entry += fmt::format(", \"mass\": {}", net.masses[i]);
     return entry;
   };

@@ -9,6 +9,8 @@
 #include <nodal/error.h>
 
 #include "geometry/ties.h"
+#include "loads/block_loads.h"
+#include "loads/load_set_builder.h"
 #include "loads/outline_forces.h"
 
 namespace nodal::elastic {
@@ -37,36 +39,35 @@ class PlateLoads {
   }
 
   LoadSet edge_supported() const {
-    LoadSet set;
+    LoadSetBuilder set(net_.freedoms());
     for (const std::size_t axis : {kX, kY}) {
       const std::vector<std::size_t> held = held_edge(axis);
       const std::size_t anchor = middle_of(held, axis);
       SupportGroup group;
       for (const std::size_t node : held) group.supports.push_back({node, axis, 0.0});
       group.supports.push_back({anchor, 1 - axis, 0.0});
-      add(set, axis == kX ? "stretch-x" : "stretch-y", forces(stretch(axis, stress_), held),
-          stretch_reference(axis, net_.nodes[anchor][1 - axis]), group);
+      set.add(axis == kX ? "stretch-x" : "stretch-y", forces(stretch(axis, stress_), held),
+              stretch_reference(axis, net_.nodes[anchor][1 - axis]), std::move(group));
     }
     for (const std::size_t axis : {kX, kY}) {
       SupportGroup group;
       for (const std::size_t node : held_edge(1 - axis))
         for (const std::size_t held : {kX, kY}) group.supports.push_back({node, held, 0.0});
-      add(set, axis == kX ? "shear-x" : "shear-y", forces(shear(stress_), {}), shear_reference(axis), group);
+      set.add(axis == kX ? "shear-x" : "shear-y", forces(shear(stress_), {}), shear_reference(axis), std::move(group));
     }
-    return set;
+    return std::move(set).finish();
   }
 
   LoadSet minimally_supported() const {
     const auto [pin, roller] = held_pair();
-    LoadSet set;
-    set.groups.push_back({{{pin, kX, 0.0}, {pin, kY, 0.0}, {roller, kY, 0.0}}});
-    sort_supports(set.groups[0]);
+    const SupportGroup group = {{{pin, kX, 0.0}, {pin, kY, 0.0}, {roller, kY, 0.0}}};
+    LoadSetBuilder set(net_.freedoms());
     for (const std::size_t axis : {kX, kY})
-      set.loads.push_back({axis == kX ? "stretch-x" : "stretch-y", 0, forces(stretch(axis, stress_), {}),
-                           resting_reference(stretch_strain(axis), pin, roller)});
-    set.loads.push_back({"shear", 0, forces(shear(stress_), {}),
-                         resting_reference({0.0, 0.0, 0.5 * stress_ / material_.shear_modulus()}, pin, roller)});
-    return set;
+      set.add(axis == kX ? "stretch-x" : "stretch-y", forces(stretch(axis, stress_), {}),
+              resting_reference(stretch_strain(axis), pin, roller), group);
+    set.add("shear", forces(shear(stress_), {}),
+            resting_reference({0.0, 0.0, 0.5 * stress_ / material_.shear_modulus()}, pin, roller), group);
+    return std::move(set).finish();
   }
 
  private:
@@ -149,21 +150,7 @@ class PlateLoads {
       u[net_.freedoms().at(i, kX)] = strain[0] * x + (strain[2] - turn) * y;
       u[net_.freedoms().at(i, kY)] = (strain[2] + turn) * x + strain[1] * y;
     }
-    u[net_.freedoms().at(roller, kY)] = 0.0;  // to the last digit
     return u;
-  }
-
-  void sort_supports(SupportGroup& group) const {
-    std::ranges::sort(group.supports, {}, [this](const Support& s) { return net_.freedoms().at(s.node, s.axis); });
-  }
-
-  void add(LoadSet& set, std::string name, std::vector<double> forces, std::vector<double> reference,
-           SupportGroup group) const {
-    sort_supports(group);
-    for (const Support& s : group.supports)
-      reference[net_.freedoms().at(s.node, s.axis)] = s.value;  // to the last digit
-    set.loads.push_back({std::move(name), set.groups.size(), std::move(forces), std::move(reference)});
-    set.groups.push_back(std::move(group));
   }
 
   const Net& net_;
@@ -175,6 +162,7 @@ class PlateLoads {
 }  // namespace
 
 bool has_edges_to_hold(const Net& net) {
+  if (net.body.box) return true;
   if (!net.body.has_outline()) return false;
   for (const std::size_t axis : {kX, kY}) {
     std::vector<std::size_t> low = box_side_nodes(net, axis, End::low);
@@ -189,7 +177,8 @@ bool has_edges_to_hold(const Net& net) {
   return true;
 }
 
-LoadSet make_plate_loads(const Net& net, const Material& material, double stress, SupportStyle style) {
+LoadSet make_basic_loads(const Net& net, const Material& material, double stress, SupportStyle style) {
+  if (net.dimension == 3) return make_block_loads(net, material, stress, style);
   const PlateLoads plate(net, material, stress);
   return style == SupportStyle::edge ? plate.edge_supported() : plate.minimally_supported();
 }

@@ -41,16 +41,19 @@ std::pair<Point, Point> rectangle_of(const Body& body) {
 const std::vector<Topology>& topologies() {
   const std::string lacks = triangulation_available() ? "" : triangulation_library();
   static const std::vector<Topology> all = {
-      {"single", "one diagonal in each cell, all from lower left to upper right", false},
-      {"alternating", "one diagonal in each cell, in a chequered pattern", false},
-      {"crossed", "both diagonals in each cell", false},
-      {"grid", "no diagonals: a mechanism, since its cells shear without resistance", true},
-      {"triangular", "the three directions of a triangular grid", false},
-      {"delaunay", "the sides of the Delaunay triangles in the body", false, lacks},
+      {"single", "one diagonal in each cell and, in space, in each face, all from its lowest corner", false, true,
+       true},
+      {"alternating", "one diagonal in each cell, in space in each face, in a chequered pattern", false, true, true},
+      {"crossed", "all diagonals: both in each cell; in space both of each face and four through each cell", false,
+       true, true},
+      {"faces", "in space: both diagonals of each face, and none through the cells", false, false, true},
+      {"grid", "no diagonals: a mechanism, since its cells shear without resistance", true, true, true},
+      {"triangular", "the three directions of a triangular grid"},
+      {"delaunay", "the sides of the Delaunay triangles in the body", false, true, false, lacks},
       {"delaunay-flip", "and across every inner side, between the opposite corners: about 6 springs per node", false,
-       lacks},
-      {"voronoi-neighbours", "nodes whose Voronoi regions touch inside the body", false, lacks},
-      {"nearest", "each node with its nearest ones, except across the outline", false},
+       true, false, lacks},
+      {"voronoi-neighbours", "nodes whose Voronoi regions touch inside the body", false, true, false, lacks},
+      {"nearest", "each node with its nearest ones, except across the outline"},
   };
   return all;
 }
@@ -73,7 +76,8 @@ Net make_grid_net(const Body& body, std::size_t columns, std::size_t rows, const
   net.body = body;
   net.topology = topology;
   net.layout = fmt::format("grid of {} × {} nodes", columns, rows);
-  net.grid = {columns, rows, {size[0] / static_cast<double>(columns - 1), size[1] / static_cast<double>(rows - 1)}};
+  net.grid = {
+      columns, rows, {size[0] / static_cast<double>(columns - 1), size[1] / static_cast<double>(rows - 1), 0.0}};
   // Shares of the side, not sums of cells, so that the last node lies exactly on the border.
   const auto share = [](std::size_t i, std::size_t count) {
     return static_cast<double>(i) / static_cast<double>(count - 1);

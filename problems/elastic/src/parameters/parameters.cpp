@@ -39,7 +39,28 @@ Tied each_alone(const Net& net) {
   return tied;
 }
 
+// By what a spring goes along: an axis, across a face, through a cell.
+Tied by_block_direction(const Net& net) {
+  const std::vector<std::string> names = {"k along x", "k along y", "k along z", "k face diagonal", "k body diagonal"};
+  std::vector<std::size_t> kind;
+  for (const Spring& s : net.springs) {
+    const auto across = static_cast<std::size_t>(std::ranges::count(s.direction, 0.0));
+    const auto axis = static_cast<std::size_t>(std::ranges::find_if(s.direction, [](double d) { return d != 0.0; }) -
+                                               s.direction.begin());
+    kind.push_back(across == 2 ? axis : 4 - across);
+  }
+  Tied tied;  // those that there are, in this order
+  std::vector<std::size_t> number(names.size());
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    number[k] = tied.name.size();
+    if (std::ranges::find(kind, k) != kind.end()) tied.name.push_back(names[k]);
+  }
+  for (const std::size_t k : kind) tied.group.push_back(number[k]);
+  return tied;
+}
+
 Tied by_grid_direction(const Net& net) {
+  if (net.dimension == 3) return by_block_direction(net);
   Tied tied{{}, {"k horizontal", "k vertical", "k diagonal"}};
   for (const Spring& s : net.springs) tied.group.push_back(s.direction[1] == 0.0 ? 0 : s.direction[0] == 0.0 ? 1 : 2);
   return tied;
@@ -52,7 +73,7 @@ Tied by_class(SpringClasses classes) {
 
 // A group is numbered and named by its lowest spring.
 Tied symmetric(const Net& net) {
-  const Symmetry symmetry = find_symmetry(in_plane(net.nodes), net.springs);
+  const Symmetry symmetry = find_symmetry(net.dimension, net.nodes, net.springs);
   if (symmetry.order() == 1)
     throw Refusal(
         fmt::format("the '{}' net of {} nodes has no symmetry: no rotation or reflection about the "

@@ -2,6 +2,7 @@
 #include "parameters/symmetry.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -20,43 +21,42 @@ using Map = std::vector<std::size_t>;
 // Nodes about their middle, relative to the farthest, sorted along a direction in which hardly two of them coincide.
 class Places {
  public:
-  explicit Places(const std::vector<Point>& nodes) : points_(nodes) {
-    Point middle = {0.0, 0.0};
-    const Point& origin = nodes[0];  // sums of differences lose nothing far from the origin
-    for (const Point& p : nodes)
-      for (int a = 0; a < 2; ++a) middle[a] += (p[a] - origin[a]) / static_cast<double>(nodes.size());
+  explicit Places(const std::vector<Vector>& nodes) : points_(nodes) {
+    Vector middle{};
+    const Vector& origin = nodes[0];  // sums of differences lose nothing far from the origin
+    for (const Vector& p : nodes)
+      for (std::size_t a = 0; a < 3; ++a) middle[a] += (p[a] - origin[a]) / static_cast<double>(nodes.size());
     double farthest = 0.0, rounding = 0.0;
-    for (Point& p : points_) {
-      for (int a = 0; a < 2; ++a) {
+    for (Vector& p : points_) {
+      for (std::size_t a = 0; a < 3; ++a) {
         rounding = std::max(rounding, std::abs(p[a]));
         p[a] = (p[a] - origin[a]) - middle[a];
       }
-      farthest = std::max(farthest, std::hypot(p[0], p[1]));
+      farthest = std::max(farthest, norm(p));
     }
     tolerance_ = kMeets + 4.0 * std::numeric_limits<double>::epsilon() * rounding / farthest;
-    for (Point& p : points_)
+    for (Vector& p : points_)
       for (double& c : p) c /= farthest;
     for (std::size_t i = 0; i < points_.size(); ++i) sorted_.emplace_back(key(points_[i]), i);
     std::ranges::sort(sorted_);
   }
 
-  const std::vector<Point>& points() const { return points_; }
+  const std::vector<Vector>& points() const { return points_; }
   double tolerance() const { return tolerance_; }
 
-  std::optional<std::size_t> at(const Point& p) const {
+  std::optional<std::size_t> at(const Vector& p) const {
     const double k = key(p);
     auto entry = std::ranges::lower_bound(sorted_, k - tolerance_, {}, &std::pair<double, std::size_t>::first);
     for (; entry != sorted_.end() && entry->first <= k + tolerance_; ++entry) {
-      const Point& q = points_[entry->second];
-      if (std::hypot(p[0] - q[0], p[1] - q[1]) <= tolerance_) return entry->second;
+      if (distance(p, points_[entry->second]) <= tolerance_) return entry->second;
     }
     return std::nullopt;
   }
 
  private:
-  static double key(const Point& p) { return 0.8391 * p[0] + 0.5439 * p[1]; }  // about a unit vector, at 33°
+  static double key(const Vector& p) { return 0.8391 * p[0] + 0.5439 * p[1] + 0.3087 * p[2]; }  // hardly twice the same
 
-  std::vector<Point> points_;
+  std::vector<Vector> points_;
   double tolerance_ = kMeets;
   std::vector<std::pair<double, std::size_t>> sorted_;
 };
@@ -65,7 +65,7 @@ class Places {
 std::vector<std::size_t> rarest_ring(const Places& places) {
   std::vector<std::pair<double, std::size_t>> radii;
   for (std::size_t i = 0; i < places.points().size(); ++i)
-    radii.emplace_back(-std::hypot(places.points()[i][0], places.points()[i][1]), i);  // farthest first
+    radii.emplace_back(-norm(places.points()[i]), i);  // farthest first
   std::ranges::sort(radii);
   std::vector<std::size_t> rarest;
   for (std::size_t begin = 0; begin < radii.size() && radii[begin].first < -0.5;) {
@@ -80,16 +80,29 @@ std::vector<std::size_t> rarest_ring(const Places& places) {
   return rarest;
 }
 
-// x ↦ the point turned by an angle, or first reflected at the x axis and then turned.
+// x ↦ M x, M orthogonal.
 struct Isometry {
-  double cosine = 1.0, sine = 0.0;
-  bool reflects = false;
+  std::array<Vector, 3> rows;
 
-  Point operator()(const Point& p) const {
-    const double y = reflects ? -p[1] : p[1];
-    return {cosine * p[0] - sine * y, sine * p[0] + cosine * y};
-  }
+  Vector operator()(const Vector& p) const { return {dot(rows[0], p), dot(rows[1], p), dot(rows[2], p)}; }
 };
+
+// In the plane: turned by an angle, or first reflected at the x axis and then turned.
+Isometry plane_isometry(double angle, bool reflects) {
+  const double c = std::cos(angle), s = std::sin(angle), side = reflects ? -1.0 : 1.0;
+  return {{{{c, -side * s, 0.0}, {s, side * c, 0.0}, {0.0, 0.0, 1.0}}}};
+}
+
+// In space: what carries a to a', b to b' and a × b to ±a' × b', for pairs of equal lengths and angles.
+Isometry space_isometry(const std::array<Vector, 2>& from, const std::array<Vector, 2>& to, double handedness) {
+  const Vector n = cross(from[0], from[1]), image = cross(to[0], to[1]);
+  const Vector a = cross(from[1], n), b = cross(n, from[0]);  // dual to `from`, with n itself, all times |n|²
+  Isometry m;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j)
+      m.rows[i][j] = (to[0][i] * a[j] + to[1][i] * b[j] + handedness * image[i] * n[j]) / dot(n, n);
+  return m;
+}
 
 class Search {
  public:
@@ -125,19 +138,12 @@ class Search {
   std::vector<std::pair<std::pair<std::size_t, std::size_t>, std::size_t>> by_nodes_;
 };
 
-double angle_of(const Point& p) { return std::atan2(p[1], p[0]); }
+double angle_of(const Vector& p) { return std::atan2(p[1], p[0]); }
 
-}  // namespace
-
-Symmetry find_symmetry(const std::vector<Point>& nodes, const std::vector<Spring>& springs) {
+// The smallest rotation and one reflection generate all.
+Symmetry search_plane(const Places& places, const Search& search, const std::vector<std::size_t>& ring) {
   Symmetry found;
-  if (nodes.size() < 2) return found;
-  const Places places(nodes);
-  const Search search(places, springs);
-  const std::vector<std::size_t> ring = rarest_ring(places);
-  if (ring.empty()) return found;
   const double from = angle_of(places.points()[ring[0]]);
-
   // Rotations by ascending angle: the first that holds generates all others.
   std::vector<double> turns;
   for (const std::size_t i : ring) {
@@ -146,7 +152,7 @@ Symmetry find_symmetry(const std::vector<Point>& nodes, const std::vector<Spring
   }
   std::ranges::sort(turns);
   for (const double turn : turns) {
-    auto map = search.springs_under({std::cos(turn), std::sin(turn), false});
+    auto map = search.springs_under(plane_isometry(turn, false));
     if (!map) continue;
     found.rotations = static_cast<std::size_t>(std::lround(2.0 * std::numbers::pi / turn));
     found.generators.push_back(std::move(*map));
@@ -154,14 +160,50 @@ Symmetry find_symmetry(const std::vector<Point>& nodes, const std::vector<Spring
   }
   // A reflection takes the angle φ to 2α − φ, α its axis.
   for (const std::size_t i : ring) {
-    const double twice = angle_of(places.points()[i]) + from;
-    auto map = search.springs_under({std::cos(twice), std::sin(twice), true});
+    auto map = search.springs_under(plane_isometry(angle_of(places.points()[i]) + from, true));
     if (!map) continue;
     found.reflections = found.rotations;
     found.generators.push_back(std::move(*map));
     break;
   }
   return found;
+}
+
+// All of them, by where they carry two nodes: the first of the rarest ring, and the one farthest off its line.
+Symmetry search_space(const Places& places, const Search& search, const std::vector<std::size_t>& ring) {
+  Symmetry found;
+  const std::vector<Vector>& points = places.points();
+  const Vector& a = points[ring[0]];
+  const auto off_line = [&a](const Vector& p) { return norm(cross(a, p)); };
+  const Vector b = *std::ranges::max_element(points, {}, off_line);
+  if (off_line(b) <= places.tolerance()) return found;
+  const double tolerance = 4.0 * places.tolerance();
+  for (const std::size_t i : ring) {
+    for (const Vector& image : points) {
+      if (std::abs(norm(image) - norm(b)) > tolerance || std::abs(dot(points[i], image) - dot(a, b)) > tolerance)
+        continue;
+      for (const double handedness : {1.0, -1.0}) {
+        const bool identity = handedness > 0.0 && i == ring[0] && distance(image, b) <= tolerance;
+        auto map =
+            identity ? std::nullopt : search.springs_under(space_isometry({a, b}, {points[i], image}, handedness));
+        if (!map) continue;
+        ++(handedness > 0.0 ? found.rotations : found.reflections);
+        found.generators.push_back(std::move(*map));
+      }
+    }
+  }
+  return found;
+}
+
+}  // namespace
+
+Symmetry find_symmetry(std::size_t dimension, const std::vector<Vector>& nodes, const std::vector<Spring>& springs) {
+  if (nodes.size() < 2) return {};
+  const Places places(nodes);
+  const Search search(places, springs);
+  const std::vector<std::size_t> ring = rarest_ring(places);
+  if (ring.empty()) return {};
+  return dimension == 2 ? search_plane(places, search, ring) : search_space(places, search, ring);
 }
 
 std::vector<std::size_t> symmetry_classes(const Symmetry& symmetry, std::size_t springs) {

@@ -185,7 +185,8 @@ std::vector<Stage> ElasticProblem::stages() const {
   const ElasticModel& model = data_->model;
   const bool supernodal = std::ranges::any_of(model.groups, [](const auto& g) { return g->pattern().supernodal(); });
   return {
-      {"body", true, fmt::format("{}, thickness {}", s.net.body.name, s.net.body.thickness)},
+      {"body", true,
+       s.net.dimension == 3 ? s.net.body.name : fmt::format("{}, thickness {}", s.net.body.name, s.net.body.thickness)},
       {"points", true, s.net.layout},
       {"iterated Voronoi regions", !s.net.history.empty(), voronoi_detail(s.net)},
       {"springs", true, fmt::format("{}, {} springs", s.net.topology, s.net.springs.size())},
@@ -197,7 +198,7 @@ std::vector<Stage> ElasticProblem::stages() const {
        fmt::format("{} load cases, {} support group{}{}", s.loads.loads.size(), s.loads.groups.size(),
                    s.loads.groups.size() == 1 ? "" : "s", s.supports_choice.empty() ? "" : ", " + s.supports_choice)},
       {"analytic reference", s.has_reference && s.measured_reference.empty(),
-       !s.has_reference               ? "a closed form is known for the plate's loads only"
+       !s.has_reference               ? "a closed form is known for the basic loads only"
        : s.measured_reference.empty() ? "a homogeneous body under homogeneous stress: the closed form is exact"
                                       : "the reference was measured"},
       {"measured reference", !s.measured_reference.empty(),

@@ -18,8 +18,11 @@ namespace nodal::elastic {
 namespace {
 
 constexpr std::int64_t kDefaultSides = 64, kMostSides = 100000;
+constexpr double kDefaultCornerTurnDegrees = 30.0;
 
-// Which keys belong to which shapes; `shape`, `thickness` and `corner_turn` belong to all.
+const std::vector<std::string> kPlaneShapes = {"rectangle", "disc", "ring", "regular", "polygon", "file", "none"};
+
+// Which keys belong to which shapes; `shape` belongs to all, `thickness` and `corner_turn` to those in the plane.
 struct ShapeKey {
   const char* name;
   std::vector<std::string> shapes;
@@ -28,8 +31,9 @@ struct ShapeKey {
 
 const std::vector<ShapeKey>& shape_keys() {
   static const std::vector<ShapeKey> keys = {
-      {"size", {"rectangle"}, {}},
-      {"corner", {"rectangle"}, {}},
+      {"size", {"rectangle", "box"}, {"box"}},
+      {"corner", {"rectangle", "box"}, {}},
+      {"on_outline", kPlaneShapes, {}},
       {"radius", {"disc", "ring", "regular"}, {"disc", "ring", "regular"}},
       {"inner_radius", {"ring"}, {"ring"}},
       {"sides", {"disc", "ring", "regular"}, {"regular"}},
@@ -67,10 +71,25 @@ void check_keys(const Options& body, const std::string& shape) {
   }
 }
 
+// The numbers of a place or a size, as many as the shape has axes.
+std::vector<double> numbers_of(const Options& body, const char* key, std::size_t count, const std::string& shape) {
+  const std::vector<double> numbers = body.numbers(key);
+  if (numbers.size() != count)
+    throw InputError(body.at(key).source,
+                     fmt::format("'{}' has {} entries; shape '{}' needs {}", key, numbers.size(), shape, count));
+  return numbers;
+}
+
 Point point_or(const Options& body, const char* key, const Point& otherwise) {
   if (!body.has(key)) return otherwise;
-  const std::vector<double> numbers = body.numbers(key);
-  return {numbers.at(0), numbers.at(1)};
+  const std::vector<double> numbers = numbers_of(body, key, 2, "rectangle");
+  return {numbers[0], numbers[1]};
+}
+
+Vector vector_or(const Options& body, const char* key, const Vector& otherwise) {
+  if (!body.has(key)) return otherwise;
+  const std::vector<double> numbers = numbers_of(body, key, 3, "box");
+  return {numbers[0], numbers[1], numbers[2]};
 }
 
 double number_or(const Options& body, const char* key, double otherwise) {
@@ -123,7 +142,10 @@ OptionSchema body_fields() {
                   .minimum_excluded = true,
                   .help = help};
   };
-  Option size = point("size", "[4, 4]", "of a rectangle: width and height");
+  Option size = point("size", "[4, 4]", "of a rectangle: width and height; of a box also depth: [x, y, z]");
+  size.longest = 3;
+  Option corner = point("corner", "at the origin", "of a rectangle: its lower left; of a box its lowest corner");
+  corner.longest = 3;
   size.minimum = 0.0;
   size.minimum_excluded = true;
   Option thickness = length("thickness", "thickness of the plate");
@@ -135,10 +157,12 @@ OptionSchema body_fields() {
        .default_text =
            "by the keys: size makes a rectangle, outline a polygon, file a file; without any rectangle, or none where "
            "points come from a file",
-       .choices = {"rectangle", "disc", "ring", "regular", "polygon", "file", "none"},
-       .help = "outline of the body; regular is a regular polygon, none says that only nodes are known"},
+       .choices = {"rectangle", "disc", "ring", "regular", "polygon", "file", "none", "box"},
+       .help =
+           "outline of the body; regular is a regular polygon, none says that only nodes are known; box is a body in "
+           "space"},
       size,
-      point("corner", "[0, 0]", "of a rectangle: its lower left"),
+      corner,
       length("radius", "of a disc, a ring (the outer one) or a regular polygon: from the centre to the vertices"),
       length("inner_radius", "of a ring: of its hole"),
       {.name = "sides",
@@ -200,6 +224,13 @@ std::string shape_of(const Options& body, const std::string& default_shape) {
 
 Body read_rings(const Options& body, const ProblemContext& context, const std::string& shape) {
   check_keys(body, shape);
+  if (shape == "box") {
+    for (const auto& [key, otherwise] : {std::pair{"thickness", 1.0}, {"corner_turn", kDefaultCornerTurnDegrees}})
+      if (body.number(key) != otherwise)
+        throw InputError(body.at(key).source, fmt::format("'{}' belongs to bodies in the plane, not to a box", key));
+    return at(body.at("size").source,
+              [&] { return box_body(vector_or(body, "corner", {}), vector_or(body, "size", {})); });
+  }
   const double thickness = body.number("thickness"), corner_turn = radians(body.number("corner_turn"));
   if (shape == "none") return {.name = "none", .rings = {}, .thickness = thickness, .corner_turn = corner_turn};
   if (shape == "file") {

@@ -16,15 +16,19 @@ namespace nodal::elastic {
 
 namespace fs = std::filesystem;
 
-double memory_need(std::size_t nodes, std::size_t groups) {
+double memory_need(std::size_t nodes, std::size_t groups, std::size_t dimension) {
+  if (dimension == 3) {
+    constexpr double kOfBlock = 2000.0, kOfBlockGroup = 800.0;
+    return std::pow(static_cast<double>(nodes), 4.0 / 3.0) * (kOfBlock + kOfBlockGroup * static_cast<double>(groups));
+  }
   constexpr double kOfNet = 200.0, kOfGroup = 250.0;
   const double n = static_cast<double>(nodes);
   return n * std::log2(n + 1.0) * (kOfNet + kOfGroup * static_cast<double>(groups));
 }
 
-void require_memory(std::size_t nodes, std::size_t groups, double memory, const Source& source) {
+void require_memory(std::size_t nodes, std::size_t groups, double memory, const Source& source, std::size_t dimension) {
   constexpr double kGigabyte = 1e9, kShare = 0.75;  // the rest is for other programs, and for estimates that are low
-  const double need = memory_need(nodes, groups);
+  const double need = memory_need(nodes, groups, dimension);
   if (need <= kShare * memory) return;
   throw InputError(source,
                    fmt::format("{} nodes under {} group{} of supports need about {:.2g} GB of memory, more than "

@@ -13,11 +13,12 @@ namespace nodal::elastic {
 
 /// [bytes] of a problem and one evaluator, by n log n for each group of supports, as factors of plane nets grow.
 /// Measured on crossed grids of 10⁴ to 9·10⁴ nodes under 1 and 4 groups, within a quarter; of nets with fewer springs
-/// it is less.
-[[nodiscard]] double memory_need(std::size_t nodes, std::size_t groups);
+/// it is less. In space by n^(4/3): what grows then is the factor of blocks that are as thick as long.
+[[nodiscard]] double memory_need(std::size_t nodes, std::size_t groups, std::size_t dimension = 2);
 
 /// InputError at `source` when a net needs more than three quarters of `memory` bytes.
-void require_memory(std::size_t nodes, std::size_t groups, double memory, const Source& source);
+void require_memory(std::size_t nodes, std::size_t groups, double memory, const Source& source,
+                    std::size_t dimension = 2);
 
 /// [bytes] that this process may have: the machine's, or less where a limit says so, its own (RLIMIT_AS) or that of a
 /// control group; infinity where none is known.

@@ -13,7 +13,8 @@ namespace nodal::elastic {
 
 namespace {
 
-std::array<double, 2> times(const std::array<double, 2>& bounds, double unit, const Source& source, const char* what) {
+std::array<double, 2> times(const std::array<double, 2>& bounds, double unit, const Source& source,
+                            const std::string& what) {
   const std::array<double, 2> scaled = {bounds[0] * unit, bounds[1] * unit};
   if (!std::isnormal(scaled[0]) || !std::isnormal(scaled[1]))
     throw InputError(source, fmt::format("'bounds' × {} leaves the range of double precision", what));
@@ -33,6 +34,12 @@ double geometric_mean(const std::vector<double>& stiffness) {
   double sum = 0.0;
   for (const double k : stiffness) sum += std::log(k);
   return std::exp(sum / static_cast<double>(stiffness.size()));
+}
+
+double mean_length(const std::vector<Spring>& springs) {
+  double sum = 0.0;
+  for (const Spring& s : springs) sum += s.length;
+  return sum / static_cast<double>(springs.size());
 }
 
 // What springs from a file have, about; and in words.
@@ -55,9 +62,11 @@ void read_bounds(const Options& springs, const ProblemContext& context, const St
   const Source& source = given ? springs.at("bounds").source : springs.values().source;
   if (given || !own) {
     const std::array<double, 2> bounds = given ? of_study(springs) : kDefaultBounds;
-    scene.stiffness_bounds =
-        times(bounds, scene.material.young * scene.net.body.thickness, source, "young × thickness");
-    scene.bounds_origin = fmt::format("[{}, {}] × young × thickness", bounds[0], bounds[1]);
+    const bool space = scene.net.dimension == 3;
+    const std::string unit = space ? "young × the mean rest length" : "young × thickness";
+    const double length = space ? mean_length(scene.net.springs) : scene.net.body.thickness;
+    scene.stiffness_bounds = times(bounds, scene.material.young * length, source, unit);
+    scene.bounds_origin = fmt::format("[{}, {}] × {}", bounds[0], bounds[1], unit);
     return;
   }
   if (study.bounds) {

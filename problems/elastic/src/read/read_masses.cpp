@@ -79,6 +79,8 @@ Value read_masses(const Options& masses, Net& net) {
   refuse_foreign_keys(masses, form);
   if (form == "none") return {};
   const Source& source = masses.at("form").source;
+  if (net.dimension == 3)
+    throw InputError(source, "masses are found in the plane only; equilibria need none: leave 'masses' out");
   if (!net.body.has_outline())
     throw InputError(
         source,

@@ -90,7 +90,7 @@ StudyNet read_net(const Options& problem, const ProblemContext& context, const B
     read.bounds = file.bounds;
     return read;
   }
-  const std::string topology = read_topology(problem);
+  const std::string topology = read_topology(problem, net.dimension);
   if (springs.has("nearest") && topology != "nearest")
     throw InputError(springs.at("nearest").source,
                      fmt::format("'nearest' belongs to topology 'nearest', and this one is '{}'", topology));

@@ -61,22 +61,44 @@ void refuse_foreign_keys(const Options& points, const std::string& layout) {
                                                                key.name, fmt::join(key.layouts, "' or '"), layout));
 }
 
-std::vector<double> read_counts(const Options& points) {
-  const std::vector<double> counts = points.has("counts") ? points.numbers("counts") : std::vector{5.0, 5.0};
+std::vector<double> read_counts(const Options& points, std::size_t dimension) {
+  const std::vector<double> counts =
+      points.has("counts") ? points.numbers("counts") : std::vector<double>(dimension, 5.0);
   const Source& source = points.has("counts") ? points.at("counts").source : points.values().source;
-  for (const double count : counts)
+  if (counts.size() != dimension)
+    throw InputError(source, fmt::format("'counts' has {} entries; a body {} needs {}", counts.size(),
+                                         dimension == 3 ? "in space" : "in the plane", dimension));
+  double nodes = 1.0;
+  for (const double count : counts) {
+    nodes *= count;
     if (count < 2)
-      throw InputError(source, fmt::format("'counts' is [{}, {}]: a grid with one row or column has no area; give at "
+      throw InputError(source, fmt::format("'counts' is [{}]: a grid with one row or column has no {}; give at "
                                            "least 2 nodes in each direction",
-                                           counts[0], counts[1]));
-  if (counts[0] * counts[1] > kMostNodes)
-    throw InputError(source, fmt::format("'counts' is [{}, {}]: more than {} nodes", counts[0], counts[1], kMostNodes));
+                                           fmt::join(counts, ", "), dimension == 3 ? "volume" : "area"));
+  }
+  if (nodes > kMostNodes)
+    throw InputError(source, fmt::format("'counts' is [{}]: more than {} nodes", fmt::join(counts, ", "), kMostNodes));
   return counts;
+}
+
+// A grid of nodes in a box; no other layout fills one.
+StudyPoints read_block(const Options& points, const std::string& topology, const Body& body) {
+  const std::string layout = layout_of(points);
+  if (layout != "grid" || points.has("spacing") || points.has("cell"))
+    throw InputError(points.values().source, "a body in space takes a grid: points = { counts = [5, 5, 5] }");
+  const std::vector<double> counts = read_counts(points, 3);
+  const auto count = [&](std::size_t axis) { return static_cast<std::size_t>(counts[axis]); };
+  return at(points.values().source, [&] {
+    StudyPoints read;
+    read.net = make_block_net(body, {count(0), count(1), count(2)}, topology);
+    read.joined = true;
+    return read;
+  });
 }
 
 // A grid of so many nodes over a rectangle; other springs than a grid's own are made later.
 StudyPoints read_counted_grid(const Options& points, const std::string& topology, const Body& body) {
-  const std::vector<double> counts = read_counts(points);
+  const std::vector<double> counts = read_counts(points, 2);
   const bool joined = is_grid_topology(topology);
   const auto make = [&] {
     StudyPoints read;
@@ -216,11 +238,11 @@ StudyPoints read_scattered(const Options& points, const Body& body, const Outlin
 }  // namespace
 
 bool is_grid_topology(const std::string& topology) {
-  constexpr std::array<const char*, 5> names = {"single", "alternating", "crossed", "grid", "triangular"};
+  constexpr std::array<const char*, 6> names = {"single", "alternating", "crossed", "faces", "grid", "triangular"};
   return std::ranges::find(names, topology) != names.end();
 }
 
-std::string read_topology(const Options& problem) {
+std::string read_topology(const Options& problem, std::size_t dimension) {
   const Options springs = problem.table("springs");
   const std::string layout = layout_of(problem.table("points"));
   if (!springs.has("topology")) {
@@ -245,6 +267,9 @@ std::string read_topology(const Options& problem) {
                                          "resistance; take springs = {{ topology = \"crossed\" }}, or \"single\" or "
                                          "\"alternating\"",
                                          topology));
+  if (dimension == 3 ? !known->in_space : !known->in_plane)
+    throw InputError(source, fmt::format("topology '{}' is none {}; take springs = {{ topology = \"crossed\" }}",
+                                         topology, dimension == 3 ? "in space" : "in the plane"));
   if (!known->lacks.empty()) throw InputError(source, fmt::format("topology '{}' needs {}", topology, known->lacks));
   const bool fits =
       !is_grid_topology(topology) || (topology == "triangular" ? layout == "triangular" : layout == "grid");
@@ -262,6 +287,10 @@ StudyPoints read_points(const Options& problem, const ProblemContext& context, c
   const Options points = problem.table("points");
   const std::string layout = layout_of(points);
   refuse_foreign_keys(points, layout);
+  if (layout == "file" && body.box)
+    throw InputError(points.values().source,
+                     "nodes of a file are read in the plane only; a box takes a grid: points = "
+                     "{ counts = [5, 5, 5] }");
   if (layout == "file") {
     if (!points.has("file"))
       throw InputError(points.values().source,
@@ -274,6 +303,11 @@ StudyPoints read_points(const Options& problem, const ProblemContext& context, c
     find_border(read.net);
     return read;
   }
+  if (body.box) {
+    if (problem.table("springs").has("file"))
+      throw InputError(problem.table("springs").at("file").source, "springs of a file are read in the plane only");
+    return read_block(points, read_topology(problem, 3), body);
+  }
   if (!body.has_outline())
     throw InputError(
         points.values().source,
@@ -281,7 +315,7 @@ StudyPoints read_points(const Options& problem, const ProblemContext& context, c
                     "{{ size = [4, 4] }}",
                     layout));
   // Springs of a file join the nodes that a grid has.
-  const std::string topology = !problem.table("springs").has("file") ? read_topology(problem)
+  const std::string topology = !problem.table("springs").has("file") ? read_topology(problem, 2)
                                : layout == "triangular"              ? layout
                                                                      : "crossed";
   const bool clipped = layout == "triangular" || points.has("spacing") || points.has("cell");

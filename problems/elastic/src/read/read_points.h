@@ -31,7 +31,7 @@ struct StudyPoints {
 
 /// The topology that a study asks for, or the one that suits its points. InputError when it doesn't exist, or is one
 /// that can't hold.
-[[nodiscard]] std::string read_topology(const Options& problem);
+[[nodiscard]] std::string read_topology(const Options& problem, std::size_t dimension);
 
 /// InputError with the source of the value at fault.
 [[nodiscard]] StudyPoints read_points(const Options& problem, const ProblemContext& context, const Body& body);

@@ -28,15 +28,17 @@ namespace nodal::elastic {
 
 namespace {
 
-Material read_material(const Options& options) {
+Material read_material(const Options& options, std::size_t dimension) {
   const Options material = options.table("material");
   const Plane plane = material.text("plane") == "stress" ? Plane::stress : Plane::strain;
   const double poisson = material.number("poisson");
-  if (plane == Plane::strain && poisson > 0.4999)
+  if (dimension == 3 && plane == Plane::strain)
+    throw InputError(material.at("plane").source, "'plane' belongs to bodies in the plane, not to a box");
+  if ((dimension == 3 || plane == Plane::strain) && poisson > 0.4999)
     throw InputError(material.at("poisson").source,
-                     fmt::format("'poisson' is {}: in plane strain a body this incompressible can't be computed with; "
+                     fmt::format("'poisson' is {}: in {} a body this incompressible can't be computed with; "
                                  "it must be ≤ 0.4999",
-                                 poisson));
+                                 poisson, dimension == 3 ? "space" : "plane strain"));
   return {material.number("young"), poisson, plane};
 }
 
@@ -81,7 +83,7 @@ void scale_best(const Source& source, Scene& scene) {
 // Cells of one metre: where k = E t L/4, off by a length everywhere else, is what the paper starts from.
 bool is_the_papers_plate(const Net& net) {
   const auto one = [](double length) { return std::abs(length - 1.0) <= kPlaceRounding; };
-  return net.grid.columns > 0 && one(net.grid.cell[0]) && one(net.grid.cell[1]);
+  return net.dimension == 2 && net.grid.columns > 0 && one(net.grid.cell[0]) && one(net.grid.cell[1]);
 }
 
 // What a file of springs says; else the paper's rule, on its own plate as it is, elsewhere times its best factor. A net
@@ -242,14 +244,14 @@ Scene make_scene(const Options& options, const ProblemContext& context) {
   Scene scene;
   const char* shape = options.table("points").has("file") ? "none" : "rectangle";
   const Body body = read_body(options.table("body"), context, shape);
-  scene.material = read_material(options);
+  scene.material = read_material(options, body.dimension());
   StudyNet study = read_net(options, context, body);
   scene.net = std::move(study.net);
   tell_of_outline(options.table("points"), scene);
   scene.masses = read_masses(options.table("masses"), scene.net);
   read_loads(options, context, scene);
   require_memory(scene.net.nodes.size(), scene.loads.groups.size(), available_memory(),
-                 options.table("points").values().source);
+                 options.table("points").values().source, scene.net.dimension);
   require_rigid(scene.net, scene.loads, options.table("springs").values().source);
 
   const Options weights = options.table("quality").table("weights");

@@ -36,12 +36,12 @@ OptionSchema material_fields() {
        .maximum = 0.5,
        .minimum_excluded = true,
        .maximum_excluded = true,
-       .help = "Poisson's ratio ν; at most 0.4999 in plane strain"},
+       .help = "Poisson's ratio ν; at most 0.4999 in plane strain and in space"},
       {.name = "plane",
        .type = OptionType::text,
        .default_value = "stress",
        .choices = {"stress", "strain"},
-       .help = "plane stress or plane strain"},
+       .help = "plane stress or plane strain; nothing in space"},
   };
 }
 
@@ -72,7 +72,7 @@ OptionSchema springs_fields() {
        .type = OptionType::text,
        .default_text = "crossed on a grid, triangular on a triangular one, else delaunay",
        .help = "single, alternating or crossed for grids (grid, without diagonals, is refused as a mechanism), "
-               "triangular; for any "
+               "triangular; faces in space; for any "
                "points delaunay, delaunay-flip, voronoi-neighbours (all three need CGAL), nearest"},
       {.name = "nearest",
        .type = OptionType::integer,
@@ -86,9 +86,9 @@ OptionSchema springs_fields() {
        .default_text = "a file of springs' stiffnesses; else paper, off the paper's own plate (cells of 1 m × 1 m) "
                        "times its best factor",
        .choices = {"paper", "area", "lattice", "energy"},
-       .help =
-           "rule of the start: paper k = E t s0/4; area (Van Gelder); lattice, exact at ν = 1/3; energy, the minimiser "
-           "of a convex energy; or a table with 'rule' and 'scale', or with 'file'",
+       .help = "rule of the start: paper k = E t s0/4; area (Van Gelder); lattice, exact at ν = 1/3, in space 1/4; "
+               "energy, the minimiser "
+               "of a convex energy; or a table with 'rule' and 'scale', or with 'file'",
        .fields = initial_fields(),
        .or_table = true},
       {.name = "bounds",
@@ -97,7 +97,7 @@ OptionSchema springs_fields() {
            fmt::format("[{}, {}]; with a file of springs those of the file, or that times the geometric mean "
                        "of its stiffnesses, or of the start at its best factor [N/m]",
                        kDefaultBounds[0], kDefaultBounds[1]),
-       .unit = "young × thickness",
+       .unit = "young × thickness, in space young × mean rest length",
        .minimum = 0.0,
        .minimum_excluded = true,
        .length = 2,

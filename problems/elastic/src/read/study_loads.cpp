@@ -9,6 +9,7 @@
 #include <nodal/error.h>
 
 #include "import/displacement_file.h"
+#include "loads/load_set_builder.h"
 #include "loads/own_loads.h"
 
 namespace nodal::elastic {
@@ -22,7 +23,19 @@ void refuse_key(const Options& table, const char* key, const char* instead) {
                                                        key, instead));
 }
 
-LoadSet read_plate_loads(const Options& loads, Scene& scene) {
+// An edge is held in the plane, a face in space.
+void require_supports_of_dimension(const Options& loads, std::size_t dimension) {
+  if (!loads.has("supports")) return;
+  const std::string& supports = loads.text("supports");
+  const char* held = dimension == 3 ? "face" : "edge";
+  if (supports == (dimension == 3 ? "edge" : "face"))
+    throw InputError(loads.at("supports").source,
+                     fmt::format("supports = \"{}\" are none {}; take \"{}\", or \"minimal\"", supports,
+                                 dimension == 3 ? "in space" : "in the plane", held));
+}
+
+LoadSet read_basic_loads(const Options& loads, Scene& scene) {
+  require_supports_of_dimension(loads, scene.net.dimension);
   if (loads.has("stress")) scene.stress = loads.number("stress");
   if (scene.stress == 0.0)
     throw InputError(loads.at("stress").source,
@@ -31,12 +44,13 @@ LoadSet read_plate_loads(const Options& loads, Scene& scene) {
   const bool minimal = chosen ? !has_edges_to_hold(scene.net) : loads.text("supports") == "minimal";
   try {
     LoadSet set =
-        make_plate_loads(scene.net, scene.material, scene.stress, minimal ? SupportStyle::minimal : SupportStyle::edge);
+        make_basic_loads(scene.net, scene.material, scene.stress, minimal ? SupportStyle::minimal : SupportStyle::edge);
     if (chosen)
       scene.supports_choice =
           minimal
               ? "supports = \"minimal\": the body has no straight edges on its left and lower side, as \"edge\" holds"
-              : "supports = \"edge\"";
+          : scene.net.dimension == 3 ? "supports = \"face\""
+                                     : "supports = \"edge\"";
     return set;
   } catch (const Refusal& refusal) {
     const auto& outlines = scene.net.outlines;
@@ -79,23 +93,15 @@ void hold_as_measured(const OwnCase& one, const MeasuredLoad& measured, const Ne
 
 // Takes the reference from measurements. Loads then go together that share supports and what is known of them.
 void apply_measurements(const std::vector<MeasuredLoad>& measured, const Freedoms& freedoms, LoadSet& set) {
-  LoadSet grouped;
+  LoadSetBuilder grouped(freedoms);
   for (std::size_t l = 0; l < set.loads.size(); ++l) {
-    LoadCase load = std::move(set.loads[l]);
+    LoadCase& load = set.loads[l];
     SupportGroup group = set.groups[load.group];
-    load.reference = measured[l].displacement;
-    // A freedom that is held is where it is held: what was measured there says nothing about springs.
-    for (const Support& s : group.supports) load.reference[freedoms.at(s.node, s.axis)] = s.value;
     const bool complete = std::ranges::all_of(measured[l].weights, [](double w) { return w == 1.0; });
     if (!complete) group.weights = measured[l].weights;
-    const auto same = std::ranges::find_if(grouped.groups, [&](const SupportGroup& g) {
-      return g.supports == group.supports && g.weights == group.weights;
-    });
-    load.group = static_cast<std::size_t>(same - grouped.groups.begin());
-    if (same == grouped.groups.end()) grouped.groups.push_back(std::move(group));
-    grouped.loads.push_back(std::move(load));
+    grouped.add(std::move(load.name), std::move(load.forces), measured[l].displacement, std::move(group));
   }
-  set = std::move(grouped);
+  set = std::move(grouped).finish();
 }
 
 // Without a reference a study can be solved, but nothing fitted. Loads go together as if all were known.
@@ -186,21 +192,21 @@ OptionSchema loads_fields() {
   return {
       {.name = "set",
        .type = OptionType::text,
-       .default_text = "own when there are cases, else plate",
-       .choices = {"plate", "own"},
-       .help = "plate: the paper's two stretches and two shears; own: the cases below"},
+       .default_text = "own when there are cases, else basic",
+       .choices = {"basic", "plate", "own"},
+       .help = "basic: the paper's two stretches and two shears, in space three and six; plate is an older name of it; "
+               "own: the cases below"},
       {.name = "stress",
        .type = OptionType::number,
        .default_text = "1",
        .unit = "Pa",
-       .help = "of the plate set; not 0"},
+       .help = "of the basic loads; not 0"},
       {.name = "supports",
        .type = OptionType::text,
-       .default_text = "edge where the body has straight edges to hold, else minimal",
-       .choices = {"edge", "minimal"},
-       .help =
-           "of the plate set. edge: each load holds a straight edge of the body (Figure 4); minimal: three balanced "
-           "loads, rigid motions held (Figure 5)"},
+       .default_text = "edge where the body has straight edges to hold, in space face, else minimal",
+       .choices = {"edge", "face", "minimal"},
+       .help = "of the basic loads. edge: each holds a straight edge of the body (Figure 4); face: the same in space; "
+               "minimal: three balanced loads, in space six, rigid motions held (Figure 5)"},
       {.name = "cases",
        .type = OptionType::table_list,
        .help = "load cases of your own; to be fitted they need reference.file",
@@ -229,6 +235,10 @@ void read_loads(const Options& problem, const ProblemContext& context, Scene& sc
   const bool own = loads.has("set") ? loads.text("set") == "own" : loads.has("cases");
   std::vector<OwnCase> cases;
   if (own) {
+    if (scene.net.dimension == 3)
+      throw InputError(loads.values().source,
+                       "loads of your own are read in the plane only; a body in space takes loads "
+                       "= { set = \"basic\" }");
     if (!loads.has("cases") || loads.tables("cases").empty())
       throw InputError(loads.values().source, "set = \"own\" needs load cases, each under [[problem.loads.cases]]");
     refuse_key(loads, "stress", "give each case tractions = [{ edge = \"right\", traction = [tx, ty] }]");
@@ -238,10 +248,13 @@ void read_loads(const Options& problem, const ProblemContext& context, Scene& sc
     scene.selections = selections_of(cases);
   } else {
     if (loads.has("cases"))
-      throw InputError(loads.at("cases").source, "set = \"plate\" has no cases of its own; leave 'set' out");
-    scene.loads = read_plate_loads(loads, scene);
+      throw InputError(loads.at("cases").source,
+                       fmt::format("set = \"{}\" has no cases of its own; leave 'set' out", loads.text("set")));
+    scene.loads = read_basic_loads(loads, scene);
   }
 
+  if (scene.net.dimension == 3 && reference.has("file"))
+    throw InputError(reference.at("file").source, "measured displacements are read in the plane only");
   const std::string& method = reference.text("method");
   if (method == "analytic" && reference.has("file"))
     throw InputError(reference.at("file").source, "method = \"analytic\" takes no file; leave 'method' out");

@@ -58,7 +58,7 @@ TEST(Ties, MinimalSupportsOfABodyMovedAreTheSameNodes) {
         net.body = regular_body({x * scale, -0.7 * x * scale}, scale, sides, 0.3);
         net.nodes = lifted(net.body.rings[0]);
         find_border(net);
-        const LoadSet loads = make_plate_loads(net, {}, 1.0, SupportStyle::minimal);
+        const LoadSet loads = make_basic_loads(net, {}, 1.0, SupportStyle::minimal);
         std::vector<std::size_t> held;
         for (const Support& s : loads.groups[0].supports) held.push_back(2 * s.node + s.axis);
         if (first.empty()) first = held;

@@ -322,7 +322,7 @@ TEST_F(Brought, StressAroundAllOutlinesBalances) {
   EXPECT_EQ(net.outlines[0], (std::vector<std::size_t>{0, 1, 2, 3, 4, 5}));
   EXPECT_EQ(net.outlines[1], (std::vector<std::size_t>{6, 7, 8}));
   EXPECT_FALSE(net.on_border(9));
-  const LoadSet loads = make_plate_loads(net, {}, 2.0, SupportStyle::minimal);
+  const LoadSet loads = make_basic_loads(net, {}, 2.0, SupportStyle::minimal);
   for (const LoadCase& load : loads.loads) {
     double fx = 0, fy = 0, torque = 0, size = 0;
     for (std::size_t i = 0; i < net.nodes.size(); ++i) {

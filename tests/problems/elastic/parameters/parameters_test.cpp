@@ -88,7 +88,7 @@ std::string refusal(const Net& net, const ParameterRule& rule) {
   return "accepted";
 }
 
-std::size_t order(const Net& net) { return find_symmetry(in_plane(net.nodes), net.springs).order(); }
+std::size_t order(const Net& net) { return find_symmetry(2, net.nodes, net.springs).order(); }
 
 // ── symmetric ───────────────────────────────────────────────────────────────────────────────────────────────────────
 
@@ -127,7 +127,7 @@ TEST(Symmetry, CanBeOfTurnsOnly) {
     pairs.push_back({i, n + (i + 1) % n});
   }
   const Net net = net_of(nodes, pairs);
-  const Symmetry symmetry = find_symmetry(in_plane(net.nodes), net.springs);
+  const Symmetry symmetry = find_symmetry(2, net.nodes, net.springs);
   EXPECT_EQ(symmetry.rotations, 9u);
   EXPECT_EQ(symmetry.reflections, 0u);
   EXPECT_EQ(Parameters(net, "symmetric").size(), 3u);

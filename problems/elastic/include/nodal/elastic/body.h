@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-/// The plane body that is approximated: a polygon with holes, of constant thickness.
+/// The body that is approximated: in the plane a polygon with holes, of constant thickness; in space an upright box.
 ///
 /// Rings[0] is the outline, counterclockwise; the others are holes, clockwise: material lies to the left of every side.
-/// A body without rings is one of which only nodes are known: it has no border, no area and no corners.
+/// A plane body without rings is one of which only nodes are known: it has no border, no area and no corners.
 /// Units    metres, radians.
 /// Threads  plain values.
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,11 +31,13 @@ struct Body {
   std::string name = "";                  ///< for people: "rectangle 4 × 4", "gear.wkt"
   std::vector<Ring> rings;                ///< [0] the outline, counterclockwise; then holes, clockwise
   std::vector<std::string> remarks = {};  ///< what was mended when it was read
-  double thickness = 1.0;
+  std::optional<Extent> box = {};         ///< the body in space, which has no rings
+  double thickness = 1.0;                 ///< 1 in space
   double corner_turn = kDefaultCornerTurn;
   double on_outline = kOnOutline;  ///< share of the size within which a node is on the outline
   std::vector<bool> turned = {};   ///< [rings] given the other way round; empty where none was
 
+  [[nodiscard]] std::size_t dimension() const noexcept { return box ? 3 : 2; }
   [[nodiscard]] bool has_outline() const noexcept { return !rings.empty(); }
   /// The side, from vertex i to the next, that whoever gave the ring calls `number`; both count from 0. A ring that was
   /// turned round kept its first vertex, so its sides run backwards.
@@ -82,6 +85,9 @@ struct Moments {
 [[nodiscard]] Body disc_body(const Point& centre, double radius, std::size_t sides, double thickness = 1.0);
 [[nodiscard]] Body ring_body(const Point& centre, double radius, double hole, std::size_t sides,
                              double thickness = 1.0);
+
+/// The upright box from `corner` on, in space. Refusal for sizes that are not positive, or anything that is not finite.
+[[nodiscard]] Body box_body(const Vector& corner, const Vector& size);
 
 /// True inside the material or within the outline's tolerance of it. Cost     one pass over the sides; for many points
 /// there is body/outline.h.

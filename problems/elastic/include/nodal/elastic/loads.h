@@ -52,22 +52,33 @@ struct LoadSet {
 };
 
 enum class SupportStyle {
-  edge,     ///< Figure 4: four loads, each with an edge held, four groups
-  minimal,  ///< Figure 5: three loads that balance themselves, rigid motions held at two nodes, one group
+  edge,     ///< Figure 4: each load with an edge held, in space a face (`face` in studies)
+  minimal,  ///< Figure 5: loads that balance themselves, rigid motions held at two nodes, in space at three
 };
 
-/// The plate loads on any body, with their references, which are exact for a homogeneous one. `stress` in Pa.
+/// The basic loads of a body, with their references, which are exact for a homogeneous one. `stress` in Pa.
 ///
-/// edge     the held edges are those on the left and lower side of the bounding box. A stretch pulls at all outlines
-///          but between nodes that it holds. A shear pulls at its held edge, too: no displacement feels that, but its
-///          forces balance, and its bearings are 0 where the net carries the stress exactly. The anchor of a stretch
-///          is the held edge's node nearest to its middle.
-/// minimal  held are the outline's lowest node (the leftmost of several) in x and y, and in y the one farthest from it
-///          in x (the lowest of several): the two lower corners of a rectangle. The reference is the homogeneous field
-///          plus the small rigid motion that makes it zero there.
+/// In the plane, on any polygon:
+/// edge     two stretches and two shears. The held edges are those on the left and lower side of the bounding box; a
+///          stretch doesn't pull between nodes that it holds; a shear pulls at its held edge too, which bears it. The
+///          anchor of a stretch is the edge's node nearest to its middle.
+/// minimal  two stretches and a shear. Held are the outline's lowest node (the leftmost of several) in x and y, and in
+/// y
+///          the one farthest from it in x (the lowest of several): the two lower corners of a rectangle. The reference
+///          is the homogeneous field plus the small rigid motion that makes it zero there.
+///
+/// In space, on a box (in this order; ab in xy, yx, yz, zy, zx, xz):
+/// edge     stretch-a: σ on the high face of a; held are the low face in a, its node nearest to its centre, the anchor,
+///          in the other two axes p < q, and its node farthest from the anchor in q if it is at least as far away in p
+///          as in q, else in p, at the displacement that the reference has there: so the turn about a is held and the
+///          reference stays exact. u_a = σ(x_a − a_0)/E, the others −νσ(x − anchor)/E.
+///          shear-ab: τ on all four faces; the low face of b is held in all axes. u_a = τ(x_b − b_0)/G, else 0.
+/// minimal  three stretches, shear-xy, -yz, -zx, held in three nodes: the lowest corner in x, y, z, that at high x in y
+///          and z, that at high y in z. References as in the plane.
+///
 /// Distances that agree within kPlaceRounding of the body's size are equal, and of equals the lowest index is taken.
 /// Refusal when an outline has fewer than two nodes, or, for `edge`, a held edge has: says which.
-[[nodiscard]] LoadSet make_plate_loads(const Net& net, const Material& material, double stress, SupportStyle style);
+[[nodiscard]] LoadSet make_basic_loads(const Net& net, const Material& material, double stress, SupportStyle style);
 
 /// Whether the body has a straight edge with two neighbouring nodes on its left and on its lower side: what `edge`
 /// holds.

@@ -29,10 +29,11 @@ struct Spring {
 
 enum class NodeKind : std::uint8_t { inner, border, corner };
 
-/// A grid that fills its rectangle: nodes row by row from the lower left, x fastest.
+/// A grid that fills its rectangle or box: nodes row by row from the lower left, x fastest, then y, then z.
 struct Grid {
   std::size_t columns = 0, rows = 0;  ///< nodes in x and in y; 0 when the nodes are no such grid
-  Point cell = {0.0, 0.0};            ///< size of a cell
+  Vector cell{};                      ///< size of a cell
+  std::size_t layers = 1;             ///< nodes in z
 };
 
 using Triangle = std::array<std::size_t, 3>;
@@ -53,6 +54,18 @@ struct VoronoiStep {
   double largest_move = 0.0;        ///< that led here, in even spacings
 };
 
+/// A piece of the border of a body in space, between neighbouring nodes.
+struct Facet {
+  std::array<std::size_t, 4> nodes{};  ///< around it
+  Vector area{};                       ///< outward normal times its area [m²]
+};
+
+/// `share`: what of it counts where several triangulations of one net count together.
+struct Tetrahedron {
+  std::array<std::size_t, 4> nodes{};
+  double share = 1.0;
+};
+
 struct Net {
   std::size_t dimension = 2;
   Body body;
@@ -62,7 +75,9 @@ struct Net {
   std::vector<Spring> springs;
   std::vector<Triangle> triangles;                 ///< counterclockwise, where springs are the sides of triangles
   std::vector<NodeKind> kinds;                     ///< [nodes]; all inner while empty
-  std::vector<std::vector<std::size_t>> outlines;  ///< per ring of the body: the nodes on it, along it
+  std::vector<std::vector<std::size_t>> outlines;  ///< in the plane, per ring of the body: the nodes on it, along it
+  std::vector<Facet> border;                       ///< in space: pieces of the body's surface
+  std::vector<Tetrahedron> tetrahedra;             ///< in space: what springs are the edges of
 
   std::vector<double> masses;            ///< [nodes], kg; empty where nothing needs masses
   std::vector<std::vector<Ring>> cells;  ///< [nodes]: the rings of each Voronoi region in the body; empty without any
@@ -90,6 +105,7 @@ struct Topology {
   std::string name;
   std::string summary;
   bool mechanism = false;
+  bool in_plane = true, in_space = false;
   std::string lacks = {};  ///< what this build lacks for it and how to get it; empty when it is there
 };
 [[nodiscard]] const std::vector<Topology>& topologies();
@@ -98,5 +114,16 @@ struct Topology {
 /// cell, chequered; "crossed": both. Refusal for another name, fewer than 2×2 nodes, or a body that is no
 /// upright rectangle.
 [[nodiscard]] Net make_grid_net(const Body& body, std::size_t columns, std::size_t rows, const std::string& topology);
+
+/// Connects a grid of nodes over a box: the edges of its cells, and
+///     single       per face the diagonal from the face's lowest corner, per cell that from the cell's
+///     alternating  per face the diagonal from its lowest corner where that corner's i + j + k is even, else the other
+///     faces        both diagonals of every face
+///     crossed      these, and the four body diagonals of every cell
+/// with the tetrahedra that these are edges of: Kuhn's six about each body diagonal, or the five of a chequered cell,
+/// with shares that fill the box once. Nodes on faces and edges of the box are border, at its vertices corner.
+/// Refusal for another name, fewer than two nodes along an axis, or a body that is no box.
+[[nodiscard]] Net make_block_net(const Body& body, const std::array<std::size_t, 3>& counts,
+                                 const std::string& topology);
 
 }  // namespace nodal::elastic

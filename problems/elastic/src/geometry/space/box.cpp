@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <nodal/elastic/body.h>
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include <nodal/error.h>
+
+namespace nodal::elastic {
+
+Body box_body(const Vector& corner, const Vector& size) {
+  Extent box{corner, corner};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    box.high[axis] += size[axis];
+    if (!(size[axis] > 0.0) || !std::isfinite(box.low[axis]) || !std::isfinite(box.high[axis]))
+      throw Refusal(fmt::format("a box needs finite, positive sizes; this one has {} along {}", size[axis],
+                                kAxisNames[axis]));
+    if (!(box.along(axis) > 0.0))
+      throw Refusal(fmt::format("a box of {} along {} is nothing beside its place {}", size[axis], kAxisNames[axis],
+                                corner[axis]));
+  }
+  Body body;
+  body.name = fmt::format("box {:g} × {:g} × {:g}", size[0], size[1], size[2]);
+  body.box = box;
+  return body;
+}
+
+}  // namespace nodal::elastic
