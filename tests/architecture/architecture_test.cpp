@@ -121,6 +121,14 @@ TEST_F(Planted, QuestionToThePreprocessorIsFound) {
             "bench/program.cpp:2: asks the preprocessor what is in the build: compile another file instead\n");
 }
 
+TEST_F(Planted, BugThatIsCaughtAsARefusalIsFound) {
+  write("problems/plate/src/plate.cpp", "try {\n} catch (const std::invalid_argument& error) {\n}\n");
+  write("optimizers/walk/walk.cpp", "throw std::invalid_argument(\"\");\ntry {} catch (const Refusal& refusal) {}\n");
+  EXPECT_EQ(breaches(),
+            "problems/plate/src/plate.cpp:3: catches std::invalid_argument, a caller's bug: what is refused is a "
+            "Refusal\n");
+}
+
 TEST_F(Planted, SourceWithoutLicenceIsFound) {
   fs::create_directories(root_ / "tests/lib");
   std::ofstream(root_ / "tests/lib/meter_test.cpp") << "#include <vector>\n";

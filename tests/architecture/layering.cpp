@@ -81,6 +81,12 @@ bool asks_for_build(std::string_view line) {
   return about_nodal("if") || about_nodal("elif");  // and #ifdef, #ifndef, which begin with "if"
 }
 
+// A handler of a bug: what was refused is a Refusal.
+bool catches_a_bug(std::string_view line) {
+  const std::size_t handler = line.find("catch (");
+  return handler != std::string_view::npos && line.find("std::invalid_argument", handler) != std::string_view::npos;
+}
+
 enum class Kind { lib, component, bench, tests };
 
 // One file, and what it may include.
@@ -109,6 +115,7 @@ class SourceFile {
       if (line_ == 1 && line != kLicence) report("does not begin with the licence");
       if (kind_ == Kind::tests) continue;
       if (asks_for_build(line)) report("asks the preprocessor what is in the build: compile another file instead");
+      if (catches_a_bug(line)) report("catches std::invalid_argument, a caller's bug: what is refused is a Refusal");
       if (const std::optional<Include> include = read_include(line)) {
         if (include->quoted) {
           check_quoted(include->header);

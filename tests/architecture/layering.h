@@ -9,6 +9,7 @@
 ///   a public header (below an include/ folder) includes nothing but the standard library and public headers;
 ///   bench includes no private header of another unit, but for its micro-benchmarks, which measure such parts;
 ///   nobody includes by a path that leaves its unit, nor asks the preprocessor what is in the build;
+///   nobody catches std::invalid_argument, which means a bug: what can't be had is a Refusal (error.h);
 ///   every source begins with the licence.
 
 #include <filesystem>

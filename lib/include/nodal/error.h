@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace nodal {
@@ -27,6 +28,23 @@ class InputError : public std::runtime_error {
   explicit InputError(const std::string& message) : std::runtime_error(message) {}
   InputError(const Source& source, const std::string& message);
 };
+
+/// What was asked for can't be had, and why. Whoever knows where it was asked for adds that: `at`. Nobody's fault but
+/// the input's: a caller's bug is another exception.
+class Refusal : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Calls f; a Refusal becomes an InputError at `source`, followed by "; <advice>" where there is any.
+template <class F>
+decltype(auto) at(const Source& source, F&& f, const std::string& advice = {}) {
+  try {
+    return std::forward<F>(f)();
+  } catch (const Refusal& refusal) {
+    throw InputError(source, advice.empty() ? refusal.what() : refusal.what() + ("; " + advice));
+  }
+}
 
 /// A result could not be stored (disk full, folder read-only). What was stored before stays valid; exit code 2.
 class StoreError : public std::runtime_error {

@@ -3,9 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 #include <fmt/format.h>
+
+#include <nodal/error.h>
 
 #include "geometry/ties.h"
 #include "loads/outline_forces.h"
@@ -28,10 +29,10 @@ class PlateLoads {
       : net_(net), material_(material), stress_(stress) {
     for (std::size_t r = 0; r < net.outlines.size(); ++r)
       if (net.outlines[r].size() < 2)
-        throw std::invalid_argument(fmt::format(
-            "{} has {} on it, so the loads can't pull there: an outline needs at least 2 nodes",
-            r == 0 ? "the outline" : fmt::format("hole {}", r), net.outlines[r].empty() ? "no node" : "only 1 node"));
-    if (!net.body.has_outline()) throw std::invalid_argument("the plate loads need a body with an outline to pull at");
+        throw Refusal(fmt::format("{} has {} on it, so the loads can't pull there: an outline needs at least 2 nodes",
+                                  r == 0 ? "the outline" : fmt::format("hole {}", r),
+                                  net.outlines[r].empty() ? "no node" : "only 1 node"));
+    if (!net.body.has_outline()) throw Refusal("the plate loads need a body with an outline to pull at");
     box_ = bounding_box(net.body.rings[0]);
   }
 
@@ -73,7 +74,7 @@ class PlateLoads {
   std::vector<std::size_t> held_edge(std::size_t axis) const {
     std::vector<std::size_t> nodes = box_side_nodes(net_, axis, End::low);
     if (nodes.size() < 2)
-      throw std::invalid_argument(
+      throw Refusal(
           fmt::format("supports = 'edge' holds the {} edge of the body, and only {} of the nodes lies there: "
                       "the body has no straight edge on that side",
                       axis == kX ? "left" : "lower", nodes.size()));

@@ -85,7 +85,7 @@ struct Masses {
 /// Least Σ m² among masses that meet the target: m = Aᵀx, A Aᵀ x = p, by a singular value decomposition and refined.
 /// Masses may be zero or negative. Singular values below 1e-9 of the largest (the nodes' places aren't known better,
 /// kPlaceRounding; more when they lie far from the origin) count as zero.
-/// std::invalid_argument for no points, values that are not finite, or a body without mass.
+/// Refusal for no points, values that are not finite, or a body without mass.
 [[nodiscard]] Masses least_norm_masses(const std::vector<Point>& points, const MassTarget& target);
 
 /// Share of a node's Voronoi mass that the positive form leaves it at least. A mass of a hundredth makes the stable

@@ -5,10 +5,11 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <stdexcept>
 
 #include <fmt/format.h>
 #include <Eigen/SVD>
+
+#include <nodal/error.h>
 
 #include "conic.h"
 
@@ -20,14 +21,14 @@ constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 constexpr std::array<const char*, 6> kNames = {"∫1", "∫x", "∫y", "∫x²", "∫xy", "∫y²"};
 
 void check(const std::vector<Point>& points, const MassTarget& target) {
-  if (points.empty()) throw std::invalid_argument("masses need nodes");
+  if (points.empty()) throw Refusal("masses need nodes");
   double sum = 0.0;
   for (const Point& p : points) sum += std::abs(p[0]) + std::abs(p[1]);
   const Moments& m = target.moments;
   sum += std::abs(m.first[0]) + std::abs(m.first[1]) + std::abs(m.xx) + std::abs(m.xy) + std::abs(m.yy);
   if (!std::isfinite(sum) || !std::isfinite(target.origin[0] + target.origin[1]))
-    throw std::invalid_argument("masses need finite nodes and moments");
-  if (!(m.area > 0.0) || !std::isfinite(m.area)) throw std::invalid_argument("masses need a body of positive mass");
+    throw Refusal("masses need finite nodes and moments");
+  if (!(m.area > 0.0) || !std::isfinite(m.area)) throw Refusal("masses need a body of positive mass");
 }
 
 // The half extents of the nodes' box; a box without width or height takes the other's, a single node 1.
@@ -66,7 +67,7 @@ double MassCertificate::at(const Point& point) const {
 double Masses::largest_error() const { return std::ranges::max_element(moments, {}, &MomentError::relative)->relative; }
 
 MassTarget mass_target(const Body& body, double density) {
-  if (!body.has_outline()) throw std::invalid_argument("a body without an outline has no mass");
+  if (!body.has_outline()) throw Refusal("a body without an outline has no mass");
   const Box box = bounding_box(body.rings[0]);
   MassTarget target;
   target.origin = {0.5 * (box.low[0] + box.high[0]), 0.5 * (box.low[1] + box.high[1])};

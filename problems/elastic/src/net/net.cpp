@@ -4,10 +4,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <stdexcept>
 #include <utility>
 
 #include <fmt/format.h>
+
+#include <nodal/error.h>
 
 #include "triangulation/triangulation.h"
 
@@ -32,7 +33,7 @@ std::pair<Point, Point> rectangle_of(const Body& body) {
         r[1][1] < r[2][1])
       return {r[0], {r[1][0] - r[0][0], r[2][1] - r[1][1]}};
   }
-  throw std::invalid_argument("a grid needs a body that is an upright rectangle");
+  throw Refusal("a grid needs a body that is an upright rectangle");
 }
 
 }  // namespace
@@ -62,10 +63,10 @@ Spring make_spring(const std::vector<Point>& nodes, std::size_t i, std::size_t j
 }
 
 Net make_grid_net(const Body& body, std::size_t columns, std::size_t rows, const std::string& topology) {
-  if (columns < 2 || rows < 2) throw std::invalid_argument("a grid needs at least 2 × 2 nodes");
+  if (columns < 2 || rows < 2) throw Refusal("a grid needs at least 2 × 2 nodes");
   constexpr std::array<const char*, 3> of_grids = {"single", "alternating", "crossed"};
   if (std::ranges::find(of_grids, topology) == of_grids.end())
-    throw std::invalid_argument("a grid can't be connected by '" + topology + "'");
+    throw Refusal("a grid can't be connected by '" + topology + "'");
 
   const auto [corner, size] = rectangle_of(body);
   Net net;

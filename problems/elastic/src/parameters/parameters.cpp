@@ -6,11 +6,11 @@
 #include <map>
 #include <numeric>
 #include <set>
-#include <stdexcept>
 #include <string_view>
 
 #include <fmt/format.h>
 
+#include <nodal/error.h>
 #include <nodal/shown.h>
 
 #include "parameters/spring_classes.h"
@@ -54,7 +54,7 @@ Tied by_class(SpringClasses classes) {
 Tied symmetric(const Net& net) {
   const Symmetry symmetry = find_symmetry(net.nodes, net.springs);
   if (symmetry.order() == 1)
-    throw std::invalid_argument(
+    throw Refusal(
         fmt::format("the '{}' net of {} nodes has no symmetry: no rotation or reflection about the "
                     "middle of its nodes carries nodes and springs onto nodes and springs",
                     net.topology, net.nodes.size()));
@@ -63,7 +63,7 @@ Tied symmetric(const Net& net) {
 
 Tied listed(const Net& net, const std::vector<std::string>& groups) {
   if (groups.size() != net.springs.size())
-    throw std::invalid_argument(
+    throw Refusal(
         fmt::format("{} groups are listed for {} springs; give one per spring", groups.size(), net.springs.size()));
   Tied tied;
   std::map<std::string, std::size_t> index;
@@ -86,17 +86,16 @@ Tied tie(const Net& net, const ParameterRule& rule) {
   if (rule.name == "listed") return listed(net, rule.group_of_spring);
   if (rule.name == "by-direction") {
     if (!(rule.direction_tolerance >= 0.0 && rule.direction_tolerance <= 90.0))
-      throw std::invalid_argument(fmt::format(
-          "a tolerance of {}° is no tolerance of directions; it must be from 0 to 90", rule.direction_tolerance));
+      throw Refusal(fmt::format("a tolerance of {}° is no tolerance of directions; it must be from 0 to 90",
+                                rule.direction_tolerance));
     if (net.grid.columns > 0) return by_grid_direction(net);
     return by_class(classes_by_direction(net.springs, rule.direction_tolerance));
   }
   if (rule.name == "by-length") {
-    if (rule.length_classes == 0)
-      throw std::invalid_argument("0 classes of length leave springs without one; give ≥ 1");
+    if (rule.length_classes == 0) throw Refusal("0 classes of length leave springs without one; give ≥ 1");
     return by_class(classes_by_length(net.springs, rule.length_classes));
   }
-  throw std::invalid_argument("unknown rule of parameters '" + rule.name + "'");
+  throw Refusal("unknown rule of parameters '" + rule.name + "'");
 }
 
 }  // namespace
@@ -108,21 +107,20 @@ ParameterRule listed_rule(const Net& net, const std::vector<SpringGroup>& groups
   rule.group_of_spring.resize(net.springs.size());
   std::set<std::string> names;
   for (const SpringGroup& group : groups) {
-    if (group.name.empty()) throw std::invalid_argument("a group of springs needs a name");
-    if (!names.insert(group.name).second) throw std::invalid_argument("two groups are named '" + group.name + "'");
-    if (group.springs.empty()) throw std::invalid_argument("group '" + shown(group.name) + "' has no springs");
+    if (group.name.empty()) throw Refusal("a group of springs needs a name");
+    if (!names.insert(group.name).second) throw Refusal("two groups are named '" + group.name + "'");
+    if (group.springs.empty()) throw Refusal("group '" + shown(group.name) + "' has no springs");
     for (const auto& ends : group.springs) {
       const auto found = by_nodes.find(std::minmax(ends[0], ends[1]));
       if (found == by_nodes.end())
-        throw std::invalid_argument(fmt::format("group '{}' lists ({}, {}), but no spring joins these nodes",
-                                                shown(group.name), ends[0], ends[1]));
+        throw Refusal(fmt::format("group '{}' lists ({}, {}), but no spring joins these nodes", shown(group.name),
+                                  ends[0], ends[1]));
       std::string& of_spring = rule.group_of_spring[found->second];
       if (!of_spring.empty())
-        throw std::invalid_argument(
-            of_spring == group.name
-                ? fmt::format("group '{}' lists ({}, {}) twice", shown(group.name), ends[0], ends[1])
-                : fmt::format("spring ({}, {}) is in the groups '{}' and '{}'; it can be in one", ends[0], ends[1],
-                              shown(of_spring), shown(group.name)));
+        throw Refusal(of_spring == group.name
+                          ? fmt::format("group '{}' lists ({}, {}) twice", shown(group.name), ends[0], ends[1])
+                          : fmt::format("spring ({}, {}) is in the groups '{}' and '{}'; it can be in one", ends[0],
+                                        ends[1], shown(of_spring), shown(group.name)));
       of_spring = group.name;
     }
   }

@@ -4,9 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <queue>
-#include <stdexcept>
 
 #include <fmt/format.h>
+
+#include <nodal/error.h>
 
 namespace nodal::elastic {
 
@@ -89,7 +90,7 @@ std::vector<std::size_t> border_gaps(const Outline& outline, const Point& spacin
 std::vector<std::size_t> border_gaps(const Outline& outline, std::size_t count) {
   const std::size_t least = least_border_points(outline);
   if (count < least)
-    throw std::invalid_argument(
+    throw Refusal(
         fmt::format("{} border points are too few: every corner needs one and every ring 3, {} in all", count, least));
   const std::vector<Chain>& chains = outline.chains();
   std::vector<std::size_t> gaps(chains.size(), 1);

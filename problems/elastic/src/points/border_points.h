@@ -28,7 +28,7 @@ enum class BorderSpread {
 [[nodiscard]] std::vector<std::size_t> border_gaps(const Outline& outline, const Point& spacing);
 
 /// Per chain the number of gaps such that the points number `count` in all, the widest gap as narrow as possible.
-/// std::invalid_argument where count < least_border_points, saying how many are needed.
+/// Refusal where count < least_border_points, saying how many are needed.
 [[nodiscard]] std::vector<std::size_t> border_gaps(const Outline& outline, std::size_t count);
 
 /// The points, ring by ring along it, corners included. `random` is drawn from by BorderSpread::at_random alone.

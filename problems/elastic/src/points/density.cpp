@@ -6,9 +6,10 @@
 #include <cmath>
 #include <numbers>
 #include <span>
-#include <stdexcept>
 
 #include <fmt/format.h>
+
+#include <nodal/error.h>
 
 namespace nodal::elastic {
 
@@ -89,17 +90,17 @@ void add_long_edge(const Edge& e, std::array<double, 4>& sums) {
 Density::Density(std::vector<DensitySpot> spots) : spots_(std::move(spots)) {
   for (const DensitySpot& s : spots_) {
     if (!(s.radius > 0.0) || !std::isfinite(s.radius))
-      throw std::invalid_argument(fmt::format("a density spot's radius must be positive, not {}", s.radius));
+      throw Refusal(fmt::format("a density spot's radius must be positive, not {}", s.radius));
     if (!(s.factor > 0.0) || !std::isfinite(s.factor))
-      throw std::invalid_argument(fmt::format("a density spot's factor must be positive, not {}", s.factor));
+      throw Refusal(fmt::format("a density spot's factor must be positive, not {}", s.factor));
     if (!std::isfinite(s.centre[0]) || !std::isfinite(s.centre[1]))
-      throw std::invalid_argument("a density spot's centre must be finite");
+      throw Refusal("a density spot's centre must be finite");
   }
   for (const DensitySpot& start : spots_) {
     Point x = start.centre;
     for (int step = 0; step < 50; ++step) {
       if (!(at(x) > 0.0))
-        throw std::invalid_argument(fmt::format(
+        throw Refusal(fmt::format(
             "the density spots push the density below zero at ({}, {}); overlapping spots must not take away "
             "more than there is",
             x[0], x[1]));

@@ -34,7 +34,7 @@ struct WeightedSums {
 class Density {
  public:
   Density() = default;
-  /// std::invalid_argument for a radius or factor that is not positive, or spots below 1 that together push the density
+  /// Refusal for a radius or factor that is not positive, or spots below 1 that together push the density
   /// to zero somewhere.
   explicit Density(std::vector<DensitySpot> spots);
 

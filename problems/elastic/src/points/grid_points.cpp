@@ -4,9 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
 
 #include <fmt/format.h>
+
+#include <nodal/error.h>
 
 #include "points/border_points.h"
 
@@ -42,15 +43,13 @@ Lattice make_lattice(const Outline& outline, const Point& spacing, GridCells cel
   const bool triangular = cells == GridCells::triangular;
   const Point step = {spacing[0], triangular ? 0.5 * std::numbers::sqrt3 * spacing[0] : spacing[1]};
   for (const double h : step)
-    if (!(h > 0.0) || !std::isfinite(h))
-      throw std::invalid_argument(fmt::format("a grid's spacing must be positive, not {}", h));
+    if (!(h > 0.0) || !std::isfinite(h)) throw Refusal(fmt::format("a grid's spacing must be positive, not {}", h));
   const Box& box = outline.box();
   const double columns = std::floor((box.width() + outline.tolerance()) / step[0]) + 1.0;
   const double rows = std::floor((box.height() + outline.tolerance()) / step[1]) + 1.0;
   if (!(columns * rows <= kMostNodes))
-    throw std::invalid_argument(
-        fmt::format("a spacing of {} × {} asks for a grid of {:.3g} nodes; at most four million are made", step[0],
-                    step[1], columns * rows, kMostNodes));
+    throw Refusal(fmt::format("a spacing of {} × {} asks for a grid of {:.3g} nodes; at most four million are made",
+                              step[0], step[1], columns * rows, kMostNodes));
   const Lattice lattice{box.low, step, static_cast<std::size_t>(columns), static_cast<std::size_t>(rows)};
   if (!triangular) return lattice;
   Lattice odd = lattice, even = lattice;
@@ -148,9 +147,8 @@ std::vector<std::array<std::size_t, 2>> join_grid(const Outline& outline, const 
   const bool known =
       triangular || std::ranges::any_of(topologies(), [&](const Topology& t) { return t.name == topology; });
   if (!known || triangular != (grid.cells == GridCells::triangular))
-    throw std::invalid_argument(fmt::format("a grid of {} cells can't be joined by '{}'",
-                                            grid.cells == GridCells::triangular ? "triangular" : "rectangular",
-                                            topology));
+    throw Refusal(fmt::format("a grid of {} cells can't be joined by '{}'",
+                              grid.cells == GridCells::triangular ? "triangular" : "rectangular", topology));
   const NodeTable nodes(grid);
   std::vector<std::array<std::size_t, 2>> springs;
   for (std::size_t i = 0; i < grid.grid.size(); ++i)

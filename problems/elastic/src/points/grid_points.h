@@ -6,7 +6,7 @@
 /// Square and rectangular cells: nodes at low + (column · hx, row · hy). Triangular cells: rows h√3/2 apart, every
 /// other one shifted by h/2: the odd ones, or the even ones where that puts more nodes on the outline, as a hexagon
 /// with an odd number of cells per side needs. The far border counts as met within 1e-9. Units    metres. Errors
-/// std::invalid_argument for a spacing that is not positive, or so small that the bounding box holds more than
+/// Refusal for a spacing that is not positive, or so small that the bounding box holds more than
 ///          four million nodes.
 
 #include <array>
@@ -43,7 +43,7 @@ struct GridPoints {
 /// The springs of an exact grid, as pairs of nodes i < j, ascending. A spring is there only if it lies in the body.
 /// Rectangular cells: along rows and columns where both ends are kept; for "single", "alternating" and "crossed"
 /// diagonals (as make_grid_net) in cells whose four corners are all kept; none for "grid". Triangular cells:
-/// "triangular", the three directions. std::invalid_argument for a topology that doesn't go with the cells.
+/// "triangular", the three directions. Refusal for a topology that doesn't go with the cells.
 [[nodiscard]] std::vector<std::array<std::size_t, 2>> join_grid(const Outline& outline, const GridPoints& grid,
                                                                 const std::string& topology);
 

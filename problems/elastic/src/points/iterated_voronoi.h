@@ -15,7 +15,8 @@
 /// over the body have kHexagonalEnergy ≈ 0.0802, squares 1/12.
 /// Units    metres; deviations are relative to the mean, moves to the even spacing.
 /// Cost     per iteration n log n: 10,000 points take 13 ms, with a density spot 20 ms (bench/micro/voronoi.cpp).
-/// Errors   std::invalid_argument: no points, points that (nearly) coincide; InputError in a build without CGAL.
+/// Errors   std::invalid_argument: no points; Refusal: points that (nearly) coincide; InputError in a build without
+/// CGAL.
 
 #include <cstddef>
 #include <vector>

@@ -2,9 +2,10 @@
 #include "points/placement.h"
 
 #include <cmath>
-#include <stdexcept>
 
 #include <fmt/format.h>
+
+#include <nodal/error.h>
 
 namespace nodal::elastic {
 
@@ -26,7 +27,7 @@ PlacedPoints place_points(const Outline& outline, std::vector<Point> points) {
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Point& p = points[i];
     if (!std::isfinite(p[0]) || !std::isfinite(p[1]) || !outline.contains(p))
-      throw std::invalid_argument(fmt::format("point {} at ({}, {}) is outside of the body", i, p[0], p[1]));
+      throw Refusal(fmt::format("point {} at ({}, {}) is outside of the body", i, p[0], p[1]));
     placed.places.push_back(find_place(outline, p));
   }
   placed.points = std::move(points);

@@ -38,7 +38,7 @@ struct PlacedPoints {
 /// Where a point of the body lies: a corner or the border within the outline's tolerance of it, else inner.
 [[nodiscard]] Placement find_place(const Outline& outline, const Point& point);
 
-/// The places of given points. std::invalid_argument for one outside of the body, naming it.
+/// The places of given points. Refusal for one outside of the body, naming it.
 [[nodiscard]] PlacedPoints place_points(const Outline& outline, std::vector<Point> points);
 
 }  // namespace nodal::elastic

@@ -3,9 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 #include <fmt/format.h>
+
+#include <nodal/error.h>
 
 #include "geometry/plane/area_sampler.h"
 
@@ -36,7 +37,7 @@ void add_inner(const Outline& outline, const RandomPointsOptions& options, Rando
   std::size_t kept = 0;
   for (std::size_t draw = 0; kept < options.inner; ++draw) {
     if (draw == most)
-      throw std::invalid_argument(
+      throw Refusal(
           fmt::format("the density is too uneven for random points, or the border points too few to follow the "
                       "outline: of {} draws "
                       "in the body {} were kept, {} are needed",
@@ -55,7 +56,7 @@ void add_inner(const Outline& outline, const RandomPointsOptions& options, Rando
 RandomPointsOptions share_points(const Outline& outline, std::size_t total) {
   const std::size_t least = least_border_points(outline);
   if (total < least)
-    throw std::invalid_argument(fmt::format(
+    throw Refusal(fmt::format(
         "{} points are too few: every corner of the outline needs one and every ring 3, {} in all", total, least));
   const double spacing = even_spacing(outline.area(), static_cast<double>(total));
   const double wanted = std::min(std::round(outline.perimeter() / spacing), static_cast<double>(total));

@@ -24,11 +24,11 @@ struct RandomPointsOptions {
 };
 
 /// Numbers for `total` points that are about as dense on the outline as inside: border = perimeter / h with h the even
-/// spacing of `total` points, but no fewer than the outline needs and no more than there are. std::invalid_argument
+/// spacing of `total` points, but no fewer than the outline needs and no more than there are. Refusal
 /// where that is more than `total`, saying how many are needed.
 [[nodiscard]] RandomPointsOptions share_points(const Outline& outline, std::size_t total);
 
-/// Border points first, ring by ring along it, then inner ones. std::invalid_argument for too few border points, saying
+/// Border points first, ring by ring along it, then inner ones. Refusal for too few border points, saying
 /// how many are needed, and for a density so uneven that hardly any draw is kept.
 [[nodiscard]] PlacedPoints make_random_points(const Outline& outline, const RandomPointsOptions& options,
                                               RandomStream& random);

@@ -3,10 +3,11 @@
 
 #include <algorithm>
 #include <numbers>
-#include <stdexcept>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+
+#include <nodal/error.h>
 
 #include "geometry/plane/outline_check.h"
 #include "import/outline_file.h"
@@ -84,7 +85,7 @@ void scale_rings(const Options& body, std::vector<Ring>& rings) {
 
 double radians(double degrees) { return degrees / 180.0 * std::numbers::pi; }
 
-// The shapes that sizes alone define. std::invalid_argument for sizes that make none.
+// The shapes that sizes alone define. Refusal for sizes that make none.
 Body sized_body(const Options& body, const std::string& shape) {
   if (shape == "rectangle")
     return rectangle_body(point_or(body, "corner", {0.0, 0.0}), point_or(body, "size", {4.0, 4.0}));
@@ -222,12 +223,10 @@ Body read_rings(const Options& body, const ProblemContext& context, const std::s
     return polygon;
   }
   const Source source = source_of_sizes(body, shape);
-  try {
+  return at(source, [&] {
     Body sized = sized_body(body, shape);
     return checked_body(std::move(sized.rings), std::move(sized.name), thickness, corner_turn, source);
-  } catch (const std::invalid_argument& error) {
-    throw InputError(source, error.what());
-  }
+  });
 }
 
 }  // namespace

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "read/read_masses.h"
 
-#include <stdexcept>
-
 #include <fmt/format.h>
+
+#include <nodal/error.h>
 
 #include "geometry/plane/voronoi_cells.h"
 #include "masses/masses.h"
@@ -85,7 +85,7 @@ Value read_masses(const Options& masses, Net& net) {
         "masses need a body with an outline, and this one has none; describe it, as by body = { size = [4, 4] }");
   if (form == "positive" && !triangulation_available())
     throw InputError(source, fmt::format("positive masses need {}", triangulation_library()));
-  try {
+  return at(source, [&] {
     const double density = masses.number("density");
     const MassTarget target = mass_target(net.body, density);
     const Masses found = form == "least-norm" ? least_norm_masses(net.nodes, target)
@@ -96,9 +96,7 @@ Value read_masses(const Options& masses, Net& net) {
                        fmt::format("{}; take masses = {{ form = \"least-norm\" }}, or other points", found.message));
     net.masses = found.masses;
     return report(form, found);
-  } catch (const std::invalid_argument& error) {
-    throw InputError(source, error.what());
-  }
+  });
 }
 
 }  // namespace nodal::elastic

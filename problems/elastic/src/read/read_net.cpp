@@ -3,9 +3,10 @@
 
 #include <algorithm>
 #include <optional>
-#include <stdexcept>
 
 #include <fmt/format.h>
+
+#include <nodal/error.h>
 
 #include "geometry/plane/voronoi_cells.h"
 #include "import/system_files.h"
@@ -56,8 +57,7 @@ void join_by(const std::string& topology, const Options& springs, Net& net) {
   }
   if (topology == "voronoi-neighbours") {
     if (!net.body.has_outline())
-      throw std::invalid_argument(
-          "Voronoi regions need a body with an outline; take springs = { topology = \"delaunay\" }");
+      throw Refusal("Voronoi regions need a body with an outline; take springs = { topology = \"delaunay\" }");
     join(touching_regions(net), net);
     return;
   }
@@ -104,9 +104,9 @@ StudyNet read_net(const Options& problem, const ProblemContext& context, const B
   }
   try {
     join_by(topology, springs, net);
-  } catch (const std::invalid_argument& error) {
+  } catch (const Refusal& refusal) {
     const Source& source = springs.has("topology") ? springs.at("topology").source : springs.values().source;
-    throw InputError(source, fmt::format("topology '{}': {}", topology, error.what()));
+    throw InputError(source, fmt::format("topology '{}': {}", topology, refusal.what()));
   }
   return read;
 }

@@ -2,9 +2,10 @@
 #include "read/read_parameters.h"
 
 #include <cmath>
-#include <stdexcept>
 
 #include <fmt/format.h>
+
+#include <nodal/error.h>
 
 #include "import/node_names.h"
 
@@ -84,7 +85,7 @@ Option parameters_option() {
 }
 
 ParameterRule read_parameters(const Value& value, const Net& net, const std::vector<std::string>& groups) {
-  try {
+  const auto read = [&] {
     ParameterRule rule = value.is_text() ? ParameterRule(value.text()) : read_table(Options(value), net);
     if (rule.name == "groups") {
       if (groups.empty())
@@ -95,10 +96,8 @@ ParameterRule read_parameters(const Value& value, const Net& net, const std::vec
     }
     (void)Parameters(net, rule);
     return rule;
-  } catch (const std::invalid_argument& error) {
-    throw InputError(value.source,
-                     fmt::format("{}; take springs = {{ parameters = \"each\" }} or \"by-direction\"", error.what()));
-  }
+  };
+  return at(value.source, read, "take springs = { parameters = \"each\" } or \"by-direction\"");
 }
 
 }  // namespace nodal::elastic

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <array>
 #include <initializer_list>
-#include <stdexcept>
 
 #include <fmt/format.h>
 
+#include <nodal/error.h>
 #include <nodal/random.h>
 #include <nodal/shown.h>
 
@@ -78,7 +78,7 @@ std::vector<double> read_counts(const Options& points) {
 StudyPoints read_counted_grid(const Options& points, const std::string& topology, const Body& body) {
   const std::vector<double> counts = read_counts(points);
   const bool joined = is_grid_topology(topology);
-  try {
+  const auto make = [&] {
     StudyPoints read;
     read.net = make_grid_net(body, static_cast<std::size_t>(counts[0]), static_cast<std::size_t>(counts[1]),
                              joined ? topology : "crossed");
@@ -88,13 +88,9 @@ StudyPoints read_counted_grid(const Options& points, const std::string& topology
       read.net.springs.clear();
     }
     return read;
-  } catch (const std::invalid_argument& error) {
-    throw InputError(
-        points.values().source,
-        fmt::format(
-            "{}; give points = {{ spacing = 0.5 }}, and a grid with such cells, in metres, is clipped to the body",
-            error.what()));
-  }
+  };
+  return at(points.values().source, make,
+            "give points = { spacing = 0.5 }, and a grid with such cells, in metres, is clipped to the body");
 }
 
 Net net_of(const Body& body, std::vector<Point> nodes) {
@@ -157,7 +153,7 @@ std::size_t border_as_dense(const Outline& outline, std::size_t inner) {
   std::size_t low = inner + least_border_points(outline);
   std::size_t high = std::max(low, static_cast<std::size_t>(kMostNodes));
   if (share_points(outline, high).inner < inner)
-    throw std::invalid_argument(fmt::format(
+    throw Refusal(fmt::format(
         "{} inner nodes, and as dense on an outline as long as this one, are more than {} nodes; say how many with "
         "'border'",
         inner, kMostNodes));
@@ -290,12 +286,10 @@ StudyPoints read_points(const Options& problem, const ProblemContext& context, c
                                                                      : "crossed";
   const bool clipped = layout == "triangular" || points.has("spacing") || points.has("cell");
   if (layout == "grid" && !clipped) return read_counted_grid(points, topology, body);
-  try {
+  return at(points.values().source, [&] {
     const Outline outline(body);
     return clipped ? read_clipped_grid(points, topology, body, outline) : read_scattered(points, body, outline);
-  } catch (const std::invalid_argument& error) {
-    throw InputError(points.values().source, error.what());
-  }
+  });
 }
 
 }  // namespace nodal::elastic

@@ -56,15 +56,14 @@ void require_within_bounds(const std::vector<double>& k, const Source& source, S
 }
 
 std::vector<double> stiffness_by_rule(const std::string& rule, const Source& source, const Scene& scene) {
-  try {
+  const auto make = [&] {
     if (rule == "paper") return paper_stiffness(scene.net, scene.material);
     if (rule == "area") return area_stiffness(scene.net, scene.material);
     if (rule == "lattice") return lattice_stiffness(scene.net, scene.material);
     return energy_stiffness(scene, scene.stiffness_bounds);
-  } catch (const std::invalid_argument& error) {
-    const char* other = rule == "lattice" ? "area" : rule == "area" ? "energy" : "paper";
-    throw InputError(source, fmt::format("{}; take springs = {{ initial = \"{}\" }}", error.what(), other));
-  }
+  };
+  const char* other = rule == "lattice" ? "area" : rule == "area" ? "energy" : "paper";
+  return at(source, make, fmt::format("take springs = {{ initial = \"{}\" }}", other));
 }
 
 std::string scaled_by(double factor) { return fmt::format(", scaled by its best single factor {:.6g}", factor); }
@@ -74,8 +73,8 @@ void scale_best(const Source& source, Scene& scene) {
     const double factor = best_scale(scene, scene.initial_stiffness);
     scene.initial_rule += scaled_by(factor);
     for (double& k : scene.initial_stiffness) k *= factor;
-  } catch (const std::invalid_argument& error) {
-    throw InputError(source, fmt::format("'scale' can't be \"best\": {}", error.what()));
+  } catch (const Refusal& refusal) {
+    throw InputError(source, fmt::format("'scale' can't be \"best\": {}", refusal.what()));
   }
 }
 
@@ -150,6 +149,14 @@ void tell_of_ties(Scene& scene) {
                     changed, tied.size()));
 }
 
+// Why kernels for these instructions can't be had here; empty when they can.
+std::string instructions_refusal(const std::string& name) {
+  const std::vector<LaneInstructions> compiled = lane_instructions();
+  const auto found = std::ranges::find(compiled, name, &LaneInstructions::name);
+  if (name == "auto" || (found != compiled.end() && found->usable)) return {};
+  return found == compiled.end() ? "this build has no kernels for '" + name + "'" : "this processor has no " + name;
+}
+
 MovesOptions read_moves(const Options& options, const Scene& scene) {
   const MovesOptions moves{options.text("form"), options.text("instructions")};
   const bool listed = moves.form == "eager" || moves.form == "updown";
@@ -158,13 +165,10 @@ MovesOptions read_moves(const Options& options, const Scene& scene) {
                      fmt::format("'{}' prices one changed spring at a time, and parameters = '{}' ties springs; take "
                                  "moves = {{ form = \"auto\" }}, or \"lazy\", \"refactor\" or \"full\"",
                                  moves.form, scene.parameter_rule.name));
-  try {
-    (void)lane_kernels(1, moves.instructions);
-  } catch (const std::invalid_argument& error) {
+  if (const std::string refusal = instructions_refusal(moves.instructions); !refusal.empty())
     throw InputError(options.at("instructions").source,
-                     fmt::format("{}; take moves = {{ instructions = \"auto\" }}, which is '{}' here", error.what(),
+                     fmt::format("{}; take moves = {{ instructions = \"auto\" }}, which is '{}' here", refusal,
                                  best_lane_instructions()));
-  }
   return moves;
 }
 

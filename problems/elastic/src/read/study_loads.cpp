@@ -2,10 +2,11 @@
 #include "read/study_loads.h"
 
 #include <algorithm>
-#include <stdexcept>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+
+#include <nodal/error.h>
 
 #include "import/displacement_file.h"
 #include "loads/own_loads.h"
@@ -37,7 +38,7 @@ LoadSet read_plate_loads(const Options& loads, Scene& scene) {
               ? "supports = \"minimal\": the body has no straight edges on its left and lower side, as \"edge\" holds"
               : "supports = \"edge\"";
     return set;
-  } catch (const std::invalid_argument& error) {
+  } catch (const Refusal& refusal) {
     const auto& outlines = scene.net.outlines;
     const bool bare = std::ranges::any_of(outlines, [](const auto& nodes) { return nodes.size() < 2; });
     const char* advice =
@@ -48,7 +49,7 @@ LoadSet read_plate_loads(const Options& loads, Scene& scene) {
             : "take loads = { supports = \"minimal\" }";
     throw InputError(
         loads.values().source,
-        fmt::format("{}; {}, or describe loads of your own by [[problem.loads.cases]]", error.what(), advice));
+        fmt::format("{}; {}, or describe loads of your own by [[problem.loads.cases]]", refusal.what(), advice));
   }
 }
 

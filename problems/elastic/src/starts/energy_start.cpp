@@ -5,7 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
+
+#include <nodal/error.h>
 
 #include "displacements/elastic_model.h"
 
@@ -99,8 +100,7 @@ class ProjectedNewton {
     constexpr double kTolerance = 1e-12;
     double energy = energy_.evaluate(k_, gradient_, curvature_);
     if (!std::isfinite(energy))
-      throw std::invalid_argument(
-          "the 'energy' rule needs a net that carries its loads; this one is a mechanism or next to one");
+      throw Refusal("the 'energy' rule needs a net that carries its loads; this one is a mechanism or next to one");
     double first_slope = 0.0;
     for (int iteration = 0; iteration < kIterations; ++iteration) {
       const double slope = choose_free();
@@ -190,8 +190,7 @@ class ProjectedNewton {
 // Displacements of all loads of a group, one after the other.
 std::vector<double> solved(Equilibrium& equilibrium, const std::vector<double>& stiffness) {
   if (equilibrium.factorize(stiffness) != Status::ok || equilibrium.solve_loads() != Status::ok)
-    throw std::invalid_argument(
-        "a best scale needs a net that carries its loads; this one is a mechanism or next to one");
+    throw Refusal("a best scale needs a net that carries its loads; this one is a mechanism or next to one");
   (void)equilibrium.refine();
   std::vector<double> all;
   for (std::size_t l = 0; l < equilibrium.group().loads().size(); ++l) {
@@ -206,7 +205,7 @@ std::vector<double> solved(Equilibrium& equilibrium, const std::vector<double>& 
 // u = u_0 + s u_1: what supports that move make of it, and what forces make at s = 1. Without such supports u_0 = 0;
 // with them u at half of s tells the two apart.
 double best_scale(const Scene& scene, const std::vector<double>& stiffness) {
-  if (!scene.has_reference) throw std::invalid_argument("scale = \"best\" needs a reference");
+  if (!scene.has_reference) throw Refusal("scale = \"best\" needs a reference");
   const ElasticModel model(scene);
   double with_reference = 0.0, with_itself = 0.0;
   for (const auto& group : model.groups) {
@@ -232,17 +231,16 @@ double best_scale(const Scene& scene, const std::vector<double>& stiffness) {
   const bool pulled = std::ranges::any_of(scene.loads.loads, [](const LoadCase& load) {
     return std::ranges::any_of(load.forces, [](double f) { return f != 0.0; });
   });
-  if (!pulled) throw std::invalid_argument("no load has a force, so every scale is as good as another");
-  if (!(with_reference > 0.0))
-    throw std::invalid_argument("no positive factor is best, since the net moves against its reference");
+  if (!pulled) throw Refusal("no load has a force, so every scale is as good as another");
+  if (!(with_reference > 0.0)) throw Refusal("no positive factor is best, since the net moves against its reference");
   return with_itself / with_reference;
 }
 
 std::vector<double> energy_stiffness(const Scene& scene, const std::array<double, 2>& bounds) {
-  if (!scene.has_reference) throw std::invalid_argument("the 'energy' rule needs a reference");
+  if (!scene.has_reference) throw Refusal("the 'energy' rule needs a reference");
   for (const SupportGroup& group : scene.loads.groups)
     if (std::ranges::any_of(group.weights, [](double w) { return w == 0.0; }))
-      throw std::invalid_argument(
+      throw Refusal(
           "the 'energy' rule needs a reference that is known at every node; some displacements were not measured");
   // One optimum from any start.
   std::vector<double> start = paper_stiffness(scene.net, scene.material);

@@ -12,7 +12,7 @@ namespace nodal::elastic {
 
 /// The factor c that minimises G(c·k): u = u_0 + u_1/c, u_0 from supports that move and u_1 from forces, so
 /// 1/c = ⟨u_1, u_ref − u_0⟩_W / ⟨u_1, u_1⟩_W, without a search.
-/// std::invalid_argument when the net can't carry its loads, when no load has a force, or when forces move the net
+/// Refusal when the net can't carry its loads, when no load has a force, or when forces move the net
 /// against its reference so that no positive factor helps.
 [[nodiscard]] double best_scale(const Scene& scene, const std::vector<double>& stiffness);
 
@@ -21,7 +21,7 @@ namespace nodal::elastic {
 /// subject to bounds. J ≥ 0, and J = 0 exactly where u = u_ref: it is the energy norm of the misfit. One optimum, from
 /// any start; found by a projected Newton method (Bertsekas 1982) whose steps come from preconditioned conjugate
 /// gradients with Hessian products (b_e·u)(b_e·K⁻¹b_f)(b_f·u), one solve per load each. Valid where u_ref meets the
-/// supports. std::invalid_argument when the net can't carry its loads, or a part of the reference isn't known.
+/// supports. Refusal when the net can't carry its loads, or a part of the reference isn't known.
 [[nodiscard]] std::vector<double> energy_stiffness(const Scene& scene, const std::array<double, 2>& bounds);
 
 }  // namespace nodal::elastic

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "starts/paper_start.h"
 
-#include <stdexcept>
-
 #include <nodal/elastic/stiffness.h>
+#include <nodal/error.h>
 
 #include "starts/energy_start.h"
 
@@ -19,8 +18,8 @@ const PaperStart& BestPaperStart::of(const Scene& scene) {
   }
   try {
     start_->factor = best_scale(scene, start_->stiffness);
-  } catch (const std::invalid_argument& error) {
-    start_->unscaled = error.what();
+  } catch (const Refusal& refusal) {
+    start_->unscaled = refusal.what();
   }
   for (double& k : start_->stiffness) k *= start_->factor;
   return *start_;

@@ -5,7 +5,8 @@
 #include <cmath>
 #include <map>
 #include <numbers>
-#include <stdexcept>
+
+#include <nodal/error.h>
 
 #include "springs/connections.h"
 
@@ -80,7 +81,7 @@ std::vector<double> areas_of_triangles(const Net& net) {
 
 std::vector<double> area_stiffness(const Net& net, const Material& material) {
   if (net.grid.columns == 0 && net.triangles.empty())
-    throw std::invalid_argument("the 'area' rule needs springs that are the sides of triangles, and these are not");
+    throw Refusal("the 'area' rule needs springs that are the sides of triangles, and these are not");
   const std::vector<double> areas = net.grid.columns > 0 ? areas_on_a_grid(net) : areas_of_triangles(net);
   std::vector<double> k;
   for (std::size_t e = 0; e < areas.size(); ++e)
@@ -157,7 +158,7 @@ std::vector<double> lattice_stiffness(const Net& net, const Material& material) 
     of_a_cell = 0.25 * std::numbers::sqrt3;
   }
   if (k.empty())
-    throw std::invalid_argument(
+    throw Refusal(
         "the 'lattice' rule needs a crossed grid of square cells, or equilateral triangles, that fill the body to its "
         "outline");
   for (double& count : k) count *= of_a_cell * material.plane_young() * net.body.thickness;

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <stdexcept>
 #include <utility>
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
@@ -14,6 +13,8 @@
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 #include <CGAL/version.h>
 #include <fmt/format.h>
+
+#include <nodal/error.h>
 
 #include "triangulation/triangulation.h"
 
@@ -38,7 +39,7 @@ std::string name_of(const std::vector<Point>& points, std::size_t i) {
 void require_finite(const std::vector<Point>& points) {
   for (std::size_t i = 0; i < points.size(); ++i)
     if (!std::isfinite(points[i][0]) || !std::isfinite(points[i][1]))
-      throw std::invalid_argument(fmt::format("the coordinates of node {} are not finite", name_of(points, i)));
+      throw Refusal(fmt::format("the coordinates of node {} are not finite", name_of(points, i)));
 }
 
 // CGAL keeps one of several equal points and says nothing.
@@ -49,7 +50,7 @@ void require_finite(const std::vector<Point>& points) {
                     [&](std::size_t a, std::size_t b) { return std::pair(points[a], a) < std::pair(points[b], b); });
   const auto first =
       std::ranges::adjacent_find(order, [&](std::size_t a, std::size_t b) { return points[a] == points[b]; });
-  throw std::invalid_argument(fmt::format("nodes {} and {} coincide", *first, name_of(points, *(first + 1))));
+  throw Refusal(fmt::format("nodes {} and {} coincide", *first, name_of(points, *(first + 1))));
 }
 
 template <class Triangulation>
@@ -81,12 +82,10 @@ void require_outlines(const std::vector<Point>& nodes, const Outlines& outlines)
   std::vector<char> listed(nodes.size(), 0);
   for (std::size_t r = 0; r < outlines.size(); ++r) {
     if (outlines[r].size() < 3)
-      throw std::invalid_argument(
-          fmt::format("outline {} has {} nodes; a polygon needs at least 3", r, outlines[r].size()));
+      throw Refusal(fmt::format("outline {} has {} nodes; a polygon needs at least 3", r, outlines[r].size()));
     for (const std::size_t i : outlines[r]) {
-      if (i >= nodes.size())
-        throw std::invalid_argument(fmt::format("outline {} lists node {}, which isn't there", r, i));
-      if (listed[i]) throw std::invalid_argument(fmt::format("the outlines meet at node {}", name_of(nodes, i)));
+      if (i >= nodes.size()) throw Refusal(fmt::format("outline {} lists node {}, which isn't there", r, i));
+      if (listed[i]) throw Refusal(fmt::format("the outlines meet at node {}", name_of(nodes, i)));
       listed[i] = 1;
     }
   }
@@ -97,9 +96,8 @@ void require_outlines(const std::vector<Point>& nodes, const Outlines& outlines)
                               Constrained::Vertex_handle j) {
   for (const Constrained::Vertex_handle v : made.finite_vertex_handles())
     if (v != i && v != j && CGAL::are_ordered_along_line(i->point(), v->point(), j->point()))
-      throw std::invalid_argument(
-          fmt::format("the outline from node {} to node {} passes through node {}, which it doesn't list",
-                      name_of(nodes, i->info()), name_of(nodes, j->info()), name_of(nodes, v->info())));
+      throw Refusal(fmt::format("the outline from node {} to node {} passes through node {}, which it doesn't list",
+                                name_of(nodes, i->info()), name_of(nodes, j->info()), name_of(nodes, v->info())));
   throw std::logic_error("an outline's edge is missing from the triangulation");
 }
 
@@ -112,7 +110,7 @@ void insert_outlines(Constrained& made, const std::vector<Point>& nodes, const O
       try {
         made.insert_constraint(i, j);
       } catch (const Constrained::Intersection_of_constraints_exception&) {
-        throw std::invalid_argument(
+        throw Refusal(
             fmt::format("the outline from node {} to node {} crosses another part of the outlines; "
                         "more nodes on the outlines would keep them apart",
                         name_of(nodes, i->info()), name_of(nodes, j->info())));
@@ -132,8 +130,8 @@ void require_height(const std::vector<Point>& nodes, const Triangle& t) {
   const Point &a = nodes[t[0]], &b = nodes[t[1]], &c = nodes[t[2]];
   const double twice_area = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
   if (!(twice_area >= kLeastHeight * longest * longest))
-    throw std::invalid_argument(fmt::format("nodes {}, {} and {} make a triangle without height", name_of(nodes, t[0]),
-                                            name_of(nodes, t[1]), name_of(nodes, t[2])));
+    throw Refusal(fmt::format("nodes {}, {} and {} make a triangle without height", name_of(nodes, t[0]),
+                              name_of(nodes, t[1]), name_of(nodes, t[2])));
 }
 
 // Faces are flooded from the outside; a step over an outline goes one deeper.
@@ -180,7 +178,7 @@ std::vector<Triangle> constrained_triangles(const std::vector<Point>& nodes, con
   require_outlines(nodes, outlines);
   auto made = triangulate<Constrained>(nodes);
   insert_outlines(made, nodes, outlines);
-  if (made.dimension() < 2) throw std::invalid_argument("all nodes lie on one line");
+  if (made.dimension() < 2) throw Refusal("all nodes lie on one line");
   count_depth(made);
   std::vector<Triangle> triangles;
   std::vector<char> used(nodes.size(), 0);
@@ -191,7 +189,7 @@ std::vector<Triangle> constrained_triangles(const std::vector<Point>& nodes, con
     for (const std::size_t i : triangles.back()) used[i] = 1;
   }
   if (const auto lost = std::ranges::find(used, 0); lost != used.end())
-    throw std::invalid_argument(fmt::format(
+    throw Refusal(fmt::format(
         "node {} lies outside of the polygon that the outlines' nodes make; more nodes on the outlines would "
         "follow them closer",
         name_of(nodes, static_cast<std::size_t>(lost - used.begin()))));

@@ -5,7 +5,7 @@
 ///
 /// cgal_triangulation.cpp does the work; a build without CGAL compiles absent_triangulation.cpp instead, where every
 /// function but the first throws InputError with what to install. Results depend on the points and their order alone.
-/// Errors   std::invalid_argument, naming the nodes, for what has no triangulation: coordinates that are not finite,
+/// Errors   Refusal, naming the nodes, for what has no triangulation: coordinates that are not finite,
 ///          nodes that coincide, and what is said below.
 /// Cost     n log n; 10,000 points take some 10 ms.
 
@@ -51,7 +51,7 @@ class Neighbours {
 
 /// The constrained Delaunay triangles within the polygon that the outlines' nodes make (Net::outlines: [0] around
 /// everything, the others around holes), in the order and sense of delaunay_triangles. Every node is in some triangle.
-/// std::invalid_argument as well for an outline of fewer than 3 nodes, outlines that cross or touch, a node that an
+/// Refusal as well for an outline of fewer than 3 nodes, outlines that cross or touch, a node that an
 /// outline passes through without listing it, a triangle less than 1e-9 as high as long, and a node outside of the
 /// polygon: there the outline needs more nodes.
 [[nodiscard]] std::vector<Triangle> constrained_triangles(const std::vector<Point>& nodes,

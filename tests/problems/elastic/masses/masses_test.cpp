@@ -9,6 +9,7 @@
 #include <Eigen/QR>
 
 #include <nodal/elastic/net.h>
+#include <nodal/error.h>
 #include <nodal/random.h>
 
 #include "masses/masses.h"
@@ -330,9 +331,9 @@ TEST(LeastNormMasses, RefuseWhatIsNoBody) {
   const MassTarget target{.moments = {.area = 1.0, .xx = 0.1, .yy = 0.1}, .origin = {0, 0}};
   const std::vector<Point> points = random_points(8, 1);
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_THROW((void)least_norm_masses({}, target), std::invalid_argument);
-  EXPECT_THROW((void)least_norm_masses({{0, nan}}, target), std::invalid_argument);
-  EXPECT_THROW((void)least_norm_masses(points, {}), std::invalid_argument);
+  EXPECT_THROW((void)least_norm_masses({}, target), Refusal);
+  EXPECT_THROW((void)least_norm_masses({{0, nan}}, target), Refusal);
+  EXPECT_THROW((void)least_norm_masses(points, {}), Refusal);
   EXPECT_THROW((void)positive_masses(points, target, std::vector(7, 1.0)), std::invalid_argument);
   EXPECT_THROW((void)positive_masses(points, target, std::vector(8, -1.0)), std::invalid_argument);
   EXPECT_THROW((void)positive_masses(points, target, std::vector(8, 1.0), 1.5), std::invalid_argument);

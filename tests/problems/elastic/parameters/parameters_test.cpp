@@ -8,6 +8,7 @@
 #include <set>
 
 #include <nodal/elastic/parameters.h>
+#include <nodal/error.h>
 #include <nodal/random.h>
 
 #include "parameters/spring_classes.h"
@@ -82,7 +83,7 @@ std::vector<std::string> names(const Net& net, const ParameterRule& rule) {
 std::string refusal(const Net& net, const ParameterRule& rule) {
   try {
     const Parameters parameters(net, rule);
-  } catch (const std::invalid_argument& error) {
+  } catch (const Refusal& error) {
     return error.what();
   }
   return "accepted";
@@ -322,7 +323,7 @@ TEST(Groups, AreRefusedWhereTheyFitNoSpring) {
   const auto refused = [&](const std::vector<SpringGroup>& list) -> std::string {
     try {
       (void)listed_rule(net, list);
-    } catch (const std::invalid_argument& error) {
+    } catch (const Refusal& error) {
       return error.what();
     }
     return "accepted";

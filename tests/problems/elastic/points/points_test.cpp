@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include <nodal/elastic/net.h>
+#include <nodal/error.h>
 
 #include "../bodies.h"
 #include "geometry/plane/segment.h"
@@ -141,11 +142,11 @@ TEST(ExactGrid, OfTrianglesHasNoTriangleInAHole) {
 
 TEST(ExactGrid, RefusesWhatCantBe) {
   const Outline outline(ell());
-  EXPECT_THROW((void)make_exact_grid(outline, {0, 1}, GridCells::rectangular), std::invalid_argument);
-  EXPECT_THROW((void)make_exact_grid(outline, {1e-6, 1e-6}, GridCells::rectangular), std::invalid_argument);
+  EXPECT_THROW((void)make_exact_grid(outline, {0, 1}, GridCells::rectangular), Refusal);
+  EXPECT_THROW((void)make_exact_grid(outline, {1e-6, 1e-6}, GridCells::rectangular), Refusal);
   const GridPoints grid = make_exact_grid(outline, {1, 1}, GridCells::rectangular);
-  EXPECT_THROW((void)join_grid(outline, grid, "triangular"), std::invalid_argument);
-  EXPECT_THROW((void)join_grid(outline, grid, "round"), std::invalid_argument);
+  EXPECT_THROW((void)join_grid(outline, grid, "triangular"), Refusal);
+  EXPECT_THROW((void)join_grid(outline, grid, "round"), Refusal);
 }
 
 TEST(FittedGrid, FollowsTheOutline) {
@@ -225,10 +226,10 @@ TEST(RandomPoints, SayHowManyTheOutlineNeeds) {
   try {
     (void)make_random_points(outline, {.inner = 5, .border = 7}, random);
     FAIL() << "7 border points for 8 corners";
-  } catch (const std::invalid_argument& e) {
+  } catch (const Refusal& e) {
     EXPECT_NE(std::string(e.what()).find("8 in all"), std::string::npos) << e.what();
   }
-  EXPECT_THROW((void)share_points(outline, 7), std::invalid_argument);
+  EXPECT_THROW((void)share_points(outline, 7), Refusal);
   EXPECT_EQ(least_border_points(Outline(ring_body({0, 0}, 2, 1, 60))), 6u);
 }
 
@@ -253,16 +254,16 @@ TEST(RandomPoints, GiveUpADensityThatKeepsHardlyAnyDraw) {
   RandomStream random(6);
   EXPECT_THROW((void)make_random_points(
                    outline, {.inner = 10, .border = 4, .density = Density({{{0.5, 0.5}, 1e-5, 1e9}})}, random),
-               std::invalid_argument);
+               Refusal);
 }
 
 TEST(Density, RefusesSpotsThatTakeMoreThanThereIs) {
-  EXPECT_THROW(Density({{{0, 0}, 1.0, 0.0}}), std::invalid_argument);
-  EXPECT_THROW(Density({{{0, 0}, 0.0, 2.0}}), std::invalid_argument);
+  EXPECT_THROW(Density({{{0, 0}, 1.0, 0.0}}), Refusal);
+  EXPECT_THROW(Density({{{0, 0}, 0.0, 2.0}}), Refusal);
   EXPECT_NO_THROW(Density({{{0, 0}, 1.0, 0.4}, {{9, 0}, 1.0, 0.4}}));
-  EXPECT_THROW(Density({{{0, 0}, 1.0, 0.4}, {{0.1, 0}, 1.0, 0.4}}), std::invalid_argument);
+  EXPECT_THROW(Density({{{0, 0}, 1.0, 0.4}, {{0.1, 0}, 1.0, 0.4}}), Refusal);
   // Each alone leaves something at either centre; between them there is nothing left.
-  EXPECT_THROW(Density({{{0, 0}, 1.0, 0.35}, {{1.2, 0}, 1.0, 0.35}, {{0.6, 1.0}, 1.0, 0.35}}), std::invalid_argument);
+  EXPECT_THROW(Density({{{0, 0}, 1.0, 0.35}, {{1.2, 0}, 1.0, 0.35}, {{0.6, 1.0}, 1.0, 0.35}}), Refusal);
 }
 
 // Against the closed form over a square of whole reach, and a fine midpoint rule over a triangle that crosses the spot.
@@ -320,7 +321,7 @@ TEST(Places, OfGivenPointsAreFound) {
   EXPECT_EQ(placed.places[1], (Placement{NodeKind::border, 0, 1.5}));
   EXPECT_EQ(placed.places[3].chain, 5u);
   EXPECT_EQ(placed.places[5], placed.places[4]);
-  EXPECT_THROW((void)place_points(outline, {{2.5, 2.5}}), std::invalid_argument);
+  EXPECT_THROW((void)place_points(outline, {{2.5, 2.5}}), Refusal);
 }
 
 }  // namespace

@@ -97,7 +97,7 @@ TEST(VoronoiCells, AsRingsHaveTheAreasAndMomentsOfTheirSums) {
 TEST(VoronoiCells, RefuseNodesThatNearlyCoincide) {
   const Outline outline(rectangle_body({0, 0}, {1, 1}));
   VoronoiCells cells(outline, {});
-  EXPECT_THROW(cells.compute({{0.5, 0.5}, {0.5, 0.5 + 1e-14}, {0.1, 0.2}}), std::invalid_argument);
+  EXPECT_THROW(cells.compute({{0.5, 0.5}, {0.5, 0.5 + 1e-14}, {0.1, 0.2}}), Refusal);
   EXPECT_NO_THROW(cells.compute({{0.5, 0.5}, {0.5, 0.5 + 1e-10}, {0.1, 0.2}}));
   EXPECT_NEAR(cells.cells()[0].area + cells.cells()[1].area + cells.cells()[2].area, 1.0, 1e-14);
 }

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <stdexcept>
 
+#include <nodal/error.h>
 #include <nodal/random.h>
 
 #include "../bodies.h"
@@ -28,7 +29,7 @@ double area(const std::vector<Point>& points, const std::vector<Triangle>& trian
 std::string message(const std::vector<Point>& nodes, const std::vector<std::vector<std::size_t>>& outlines) {
   try {
     (void)constrained_triangles(nodes, outlines);
-  } catch (const std::invalid_argument& e) {
+  } catch (const Refusal& e) {
     return e.what();
   }
   return "";
@@ -85,10 +86,10 @@ TEST(Triangulation, NamesNodesThatCoincideOrAreNotFinite) {
   try {
     (void)delaunay_triangles(twice);
     FAIL() << "nodes 1 and 3 coincide";
-  } catch (const std::invalid_argument& e) {
+  } catch (const Refusal& e) {
     EXPECT_NE(std::string(e.what()).find("nodes 1 and 3"), std::string::npos) << e.what();
   }
-  EXPECT_THROW((void)delaunay_neighbours({{0, 0}, {std::nan(""), 0}}), std::invalid_argument);
+  EXPECT_THROW((void)delaunay_neighbours({{0, 0}, {std::nan(""), 0}}), Refusal);
 }
 
 // A square of side 3 with a square hole of side 1: the triangles make 8 of area, none of them in the hole.

@@ -72,7 +72,7 @@ struct Moments {
 /// its coordinates. Cost     one pass over the sides.
 [[nodiscard]] Moments moments(const std::vector<Ring>& rings, const Point& origin = {0.0, 0.0});
 
-// Shapes. std::invalid_argument for sizes that are not positive, anything that is not finite, fewer than 3 sides, or a
+// Shapes. Refusal for sizes that are not positive, anything that is not finite, fewer than 3 sides, or a
 // ring whose hole is not smaller than itself. The rectangle's sides begin at its lower left; a polygon of `sides` sides
 // has its first vertex at (centre + radius, 0) turned by `turn`.
 [[nodiscard]] Body rectangle_body(const Point& corner, const Point& size, double thickness = 1.0);

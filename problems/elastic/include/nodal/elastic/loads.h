@@ -64,7 +64,7 @@ enum class SupportStyle {
 ///          in x (the lowest of several): the two lower corners of a rectangle. The reference is the homogeneous field
 ///          plus the small rigid motion that makes it zero there.
 /// Distances that agree within kPlaceRounding of the body's size are equal, and of equals the lowest index is taken.
-/// std::invalid_argument when an outline has fewer than two nodes, or, for `edge`, a held edge has: says which.
+/// Refusal when an outline has fewer than two nodes, or, for `edge`, a held edge has: says which.
 [[nodiscard]] LoadSet make_plate_loads(const Net& net, const Material& material, double stress, SupportStyle style);
 
 /// Whether the body has a straight edge with two neighbouring nodes on its left and on its lower side: what `edge`

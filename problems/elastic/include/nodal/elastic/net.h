@@ -93,7 +93,7 @@ struct Topology {
 [[nodiscard]] const std::vector<Topology>& topologies();
 
 /// Connects a grid of nodes over a rectangle. "single": one diagonal per cell, all the same way; "alternating": one per
-/// cell, chequered; "crossed": both. std::invalid_argument for another name, fewer than 2×2 nodes, or a body that is no
+/// cell, chequered; "crossed": both. Refusal for another name, fewer than 2×2 nodes, or a body that is no
 /// upright rectangle.
 [[nodiscard]] Net make_grid_net(const Body& body, std::size_t columns, std::size_t rows, const std::string& topology);
 

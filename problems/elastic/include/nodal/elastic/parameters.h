@@ -45,14 +45,14 @@ struct SpringGroup {
   std::vector<std::array<std::size_t, 2>> springs;
 };
 
-/// The rule `listed` for groups; springs that none lists stay on their own. std::invalid_argument, naming the spring,
+/// The rule `listed` for groups; springs that none lists stay on their own. Refusal, naming the spring,
 /// when no spring joins two nodes or two groups list it, and for groups without a name, without springs, or of one
 /// name.
 [[nodiscard]] ParameterRule listed_rule(const Net& net, const std::vector<SpringGroup>& groups);
 
 class Parameters {
  public:
-  /// std::invalid_argument for an unknown name, options outside their range, a list of another length than the springs,
+  /// Refusal for an unknown name, options outside their range, a list of another length than the springs,
   /// or `symmetric` on a net that has no symmetry. `bounds` are those of every stiffness, 0 ≤ lower < upper.
   Parameters(const Net& net, const ParameterRule& rule,
              const std::array<double, 2>& bounds = {0.0, std::numeric_limits<double>::infinity()});

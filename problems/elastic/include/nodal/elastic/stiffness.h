@@ -20,12 +20,12 @@ namespace nodal::elastic {
 [[nodiscard]] std::vector<double> paper_stiffness(const Net& net, const Material& material);
 /// `area`: k = E·t·Σ(areas of the triangles at the spring)/L² (Van Gelder 1998). Springs that cross a side of two
 /// triangles count these two; a crossed grid, and a net with such flips, counts both kinds at half weight. Satisfies
-/// Σ k L² = 3 E A t. std::invalid_argument for a net that is neither a grid nor made of triangles.
+/// Σ k L² = 3 E A t. Refusal for a net that is neither a grid nor made of triangles.
 [[nodiscard]] std::vector<double> area_stiffness(const Net& net, const Material& material);
 /// `lattice`: what makes the net deform exactly as a body with ν' = 1/3 does. Each crossed square cell gives its sides
 /// and diagonals ⅜E't, so an axial spring gets ¾E't inside and ⅜E't on the outline; each equilateral triangle gives
 /// its sides (√3/4)E't, so a spring gets (√3/2)E't inside and half of that on the outline.
-/// std::invalid_argument unless the net is made of such cells, all of one size, that fill the body to its outline.
+/// Refusal unless the net is made of such cells, all of one size, that fill the body to its outline.
 [[nodiscard]] std::vector<double> lattice_stiffness(const Net& net, const Material& material);
 
 /// Reads the springs of a system file, {"springs": [{"nodes": [i, j], "stiffness": k}, …]}, in any order; nodes by what

@@ -3,9 +3,10 @@
 
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
 
 #include <fmt/format.h>
+
+#include <nodal/error.h>
 
 namespace nodal::elastic {
 
@@ -13,18 +14,18 @@ namespace {
 
 void require_positive(double length, const char* what) {
   if (!(length > 0.0) || !std::isfinite(length))
-    throw std::invalid_argument(fmt::format("{} must be positive, not {}", what, length));
+    throw Refusal(fmt::format("{} must be positive, not {}", what, length));
 }
 
 void require_finite(double value, const char* what) {
-  if (!std::isfinite(value)) throw std::invalid_argument(fmt::format("{} must be finite, not {}", what, value));
+  if (!std::isfinite(value)) throw Refusal(fmt::format("{} must be finite, not {}", what, value));
 }
 
 Ring regular_ring(const Point& centre, double radius, std::size_t sides, double turn) {
   require_positive(radius, "a radius");
   for (const double coordinate : centre) require_finite(coordinate, "a centre's coordinate");
   require_finite(turn, "a turn");
-  if (sides < 3) throw std::invalid_argument(fmt::format("a polygon needs at least 3 sides, not {}", sides));
+  if (sides < 3) throw Refusal(fmt::format("a polygon needs at least 3 sides, not {}", sides));
   Ring ring;
   for (std::size_t i = 0; i < sides; ++i) {
     const double angle = turn + 2.0 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(sides);
@@ -61,7 +62,7 @@ Body ring_body(const Point& centre, double radius, double hole, std::size_t side
   require_positive(hole, "a ring's inner radius");
   Body body = disc_body(centre, radius, sides, thickness);
   if (!(hole < radius * std::cos(std::numbers::pi / static_cast<double>(sides))))
-    throw std::invalid_argument(
+    throw Refusal(
         fmt::format("a ring's inner radius {} must be smaller than its outer one {}, "
                     "by more than what a polygon of {} sides cuts off",
                     hole, radius, sides));

@@ -5,10 +5,11 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 #include <utility>
 
 #include <fmt/format.h>
+
+#include <nodal/error.h>
 
 #include "geometry/plane/segment.h"
 
@@ -77,8 +78,7 @@ void VoronoiCells::require_apart() const {
   for (std::size_t i = 0; i < nodes_.size(); ++i)
     for (const std::size_t j : neighbours_.of(i))
       if (j > i && !(distance(nodes_[i], nodes_[j]) >= least))
-        throw std::invalid_argument(
-            fmt::format("points {} and {} nearly coincide, at ({}, {})", i, j, nodes_[i][0], nodes_[i][1]));
+        throw Refusal(fmt::format("points {} and {} nearly coincide, at ({}, {})", i, j, nodes_[i][0], nodes_[i][1]));
 }
 
 // Makes the region the cell; true where it meets the outline. First without the body, but within its box: that says how

@@ -34,7 +34,7 @@ class VoronoiCells {
  public:
   VoronoiCells(const Outline& outline, Density density);
 
-  /// All cells of these nodes, which lie in the body. std::invalid_argument where two are nearer to each other than
+  /// All cells of these nodes, which lie in the body. Refusal where two are nearer to each other than
   /// 1e-12 of the body's size, naming them.
   void compute(const std::vector<Point>& nodes);
 

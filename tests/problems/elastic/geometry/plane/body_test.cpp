@@ -141,17 +141,17 @@ TEST(Moments, OfABodyWithoutRingsAreZero) { expect_near(moments({}), {}, 0.0); }
 // ─────────────────────────────────────────────────────────────────────────────────────────────────────────────
 
 TEST(Shapes, RefuseSizesThatMakeNone) {
-  EXPECT_THROW((void)rectangle_body({0, 0}, {0, 1}), std::invalid_argument);
-  EXPECT_THROW((void)rectangle_body({0, 0}, {1, -1}), std::invalid_argument);
-  EXPECT_THROW((void)rectangle_body({0, 0}, {1, kNan}), std::invalid_argument);
-  EXPECT_THROW((void)rectangle_body({kInfinity, 0}, {1, 1}), std::invalid_argument);
-  EXPECT_THROW((void)disc_body({0, 0}, kInfinity, 8), std::invalid_argument);
-  EXPECT_THROW((void)disc_body({0, kNan}, 1, 8), std::invalid_argument);
-  EXPECT_THROW((void)regular_body({0, 0}, 1, 2), std::invalid_argument);
-  EXPECT_THROW((void)regular_body({0, 0}, 1, 5, kNan), std::invalid_argument);
-  EXPECT_THROW((void)ring_body({0, 0}, 1, 1, 64), std::invalid_argument);
-  EXPECT_THROW((void)ring_body({0, 0}, 1, 0.6, 3), std::invalid_argument);
-  EXPECT_THROW((void)ring_body({0, 0}, 1, 0, 64), std::invalid_argument);
+  EXPECT_THROW((void)rectangle_body({0, 0}, {0, 1}), Refusal);
+  EXPECT_THROW((void)rectangle_body({0, 0}, {1, -1}), Refusal);
+  EXPECT_THROW((void)rectangle_body({0, 0}, {1, kNan}), Refusal);
+  EXPECT_THROW((void)rectangle_body({kInfinity, 0}, {1, 1}), Refusal);
+  EXPECT_THROW((void)disc_body({0, 0}, kInfinity, 8), Refusal);
+  EXPECT_THROW((void)disc_body({0, kNan}, 1, 8), Refusal);
+  EXPECT_THROW((void)regular_body({0, 0}, 1, 2), Refusal);
+  EXPECT_THROW((void)regular_body({0, 0}, 1, 5, kNan), Refusal);
+  EXPECT_THROW((void)ring_body({0, 0}, 1, 1, 64), Refusal);
+  EXPECT_THROW((void)ring_body({0, 0}, 1, 0.6, 3), Refusal);
+  EXPECT_THROW((void)ring_body({0, 0}, 1, 0, 64), Refusal);
 }
 
 // ── corners
