@@ -14,10 +14,6 @@ namespace nodal {
 
 namespace {
 
-// Above this a dense Jacobian is slower than products with it (an elastic plate of 5 × 5 nodes has 0.1 MiB, 10 × 10
-// have 2 MiB and are fitted in a tenth of the time without).
-constexpr double kMostJacobianBytes = 0.5 * 1048576.0;
-
 StudyOptimizer with_defaults(const OptimizerDescription& description) {
   StudyOptimizer optimizer;
   optimizer.label = optimizer.use = description.name;
@@ -36,34 +32,20 @@ std::vector<StudyOptimizer> entries_using(const std::string& name, const Study& 
 }  // namespace
 
 FitMethod choose_method(const Problem& problem, const Study& study, const Registry& registry) {
-  struct Candidate {
-    const char* name;
-    bool suits;
-    std::string why;
-  };
-  const double jacobian =
-      8.0 * static_cast<double>(problem.residual_count()) * static_cast<double>(problem.space().size());
-  const bool small = problem.abilities().residuals && jacobian <= kMostJacobianBytes;
-  const std::vector<Candidate> candidates = {
-      {"gauss-newton", problem.abilities().jacobian_products, "least squares by products with the Jacobian"},
-      {"ceres-levenberg-marquardt", small,
-       fmt::format("least squares with a dense Jacobian of {:.1f} MiB", jacobian / 1048576.0)},
-      {"nlopt-lbfgs", problem.abilities().gradient,
-       "gradients cost little, and the memory needed grows with the coordinates only"},
-      {"ceres-lbfgs", problem.abilities().gradient,
-       "gradients cost little, and the memory needed grows with the coordinates only"},
-      {"annealing", true, "it needs nothing but values"},
-      {"random-search", true, "it needs nothing but values"},
-  };
-  for (const Candidate& candidate : candidates) {
-    const OptimizerDescription* description = registry.find_optimizer(candidate.name);
-    if (!candidate.suits || !description || !problem.abilities().missing(description->needs).empty()) continue;
-    const std::vector<StudyOptimizer> entries = entries_using(candidate.name, study);
-    if (entries.empty()) return {with_defaults(*description), candidate.why};
-    return {entries.front(),
-            fmt::format("{}; with the options of the study's entry '{}'", candidate.why, entries.front().label)};
+  const OptimizerDescription* chosen = nullptr;
+  Suitability best;
+  for (const OptimizerDescription& description : registry.optimizers()) {
+    if (!description.suits || !problem.abilities().missing(description.needs).empty()) continue;
+    const std::optional<Suitability> suits = description.suits(problem);
+    if (!suits || (chosen && suits->rank <= best.rank)) continue;
+    chosen = &description;
+    best = *suits;
   }
-  throw InputError("no optimizer of this build suits the problem; name one with --with");
+  if (!chosen) throw InputError("no optimizer of this build suits the problem; name one with --with");
+  const std::vector<StudyOptimizer> entries = entries_using(chosen->name, study);
+  if (entries.empty()) return {with_defaults(*chosen), best.reason};
+  return {entries.front(),
+          fmt::format("{}; with the options of the study's entry '{}'", best.reason, entries.front().label)};
 }
 
 FitMethod named_method(const std::string& name, const Study& study, const Registry& registry) {

@@ -16,10 +16,8 @@ struct FitMethod {
   std::string why;  ///< for people
 };
 
-/// What suits the problem: least squares, by products with the Jacobian or, while it is small, with a dense one;
-/// gradients where there are no residuals; else the paper's walk. (Products come first for small problems, too: where
-/// springs end at bounds, Ceres' trust region stops short: at a relative error of 0.43 for a net that gauss-newton fits
-/// to 1e-14.) With the options of the study's first entry that uses it, if there is one. InputError when nothing suits.
+/// The method of the highest rank among those that call themselves suitable (OptimizerDescription::suits), with the
+/// options of the study's first entry that uses it, if there is one. InputError when nothing suits.
 [[nodiscard]] FitMethod choose_method(const Problem& problem, const Study& study, const Registry& registry);
 
 /// What --with names: a label of the study, else the one entry that uses a method of that name, else that method with

@@ -4,9 +4,8 @@
 
 #include <string>
 
+#include <nodal/components.h>
 #include <nodal/provenance.h>
-
-#include "plate.h"
 
 namespace {
 
@@ -17,7 +16,8 @@ std::string text_of(const nodal::Value& value) { return value.is_text() ? value.
 int main(int argc, char** argv) {
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
-  (void)nodal::micro::components();  // registering makes the libraries' versions known
+  nodal::Registry registry;
+  nodal::register_components(registry);  // which makes the libraries' versions known
   const nodal::Value here = nodal::provenance();
   for (const char* key : {"revision", "compiler", "flags", "libraries", "processor"})
     if (const nodal::Value* value = here.find(key)) benchmark::AddCustomContext(key, text_of(*value));

@@ -2,7 +2,9 @@
 // What the meter adds to a value that triggers nothing, on a problem that costs nothing. Required: ≤ 40 ns.
 #include <array>
 
-#include "plate.h"
+#include <benchmark/benchmark.h>
+#include <nodal/alternating.h>
+#include <nodal/meter.h>
 
 namespace nodal::micro {
 
@@ -42,7 +44,7 @@ void meter_overhead(benchmark::State& state) {
   Meter meter(problem, *metered, problem.space().start(), {});
   std::vector<double> x(kCoordinates, 0.5);
   for (auto _ : state) {
-    const Pair seconds = time_alternating([&] { many_values(meter, x); }, [&] { many_values(*bare, x); });
+    const PairOfSeconds seconds = time_alternating([&] { many_values(meter, x); }, [&] { many_values(*bare, x); });
     state.SetIterationTime(seconds.first / 1000.0);
     state.counters["overhead_ns"] = 1e6 * (seconds.first - seconds.second);  // 1e9 ns over 1,000 calls
   }

@@ -58,3 +58,10 @@ if(NOT NODAL_CGAL STREQUAL "OFF")
 endif()
 message(STATUS "nodal: NLopt ${NODAL_HAVE_NLOPT}, Ceres ${NODAL_HAVE_CERES}, CGAL ${NODAL_HAVE_CGAL}, "
                "CHOLMOD ${CHOLMOD_VERSION}")
+
+if(NODAL_MICRO)
+  find_package(benchmark CONFIG QUIET)
+  if(NOT benchmark_FOUND)
+    message(STATUS "nodal: no micro-benchmarks, Google Benchmark is not installed (libbenchmark-dev)")
+  endif()
+endif()

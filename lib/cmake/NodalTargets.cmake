@@ -81,6 +81,17 @@ function(nodal_add_component name)
   set_property(GLOBAL PROPERTY NODAL_NAMESPACE_OF_${name} ${ARG_NAMESPACE})
 endfunction()
 
+# nodal_add_benchmarks(<component> SOURCES … [PRIVATE lib …])
+# Micro-benchmarks of a component that nodal_microbench runs: the objects nodal_<component>_benchmarks.
+function(nodal_add_benchmarks component)
+  cmake_parse_arguments(PARSE_ARGV 1 ARG "" "" "SOURCES;PRIVATE")
+  set(target nodal_${component}_benchmarks)
+  add_library(${target} OBJECT ${ARG_SOURCES})
+  nodal_set_defaults(${target})
+  target_link_libraries(${target} PUBLIC nodal::${component} nodal::components benchmark::benchmark ${ARG_PRIVATE})
+  set_property(GLOBAL APPEND PROPERTY NODAL_BENCHMARKS ${target})
+endfunction()
+
 # Sets <declarations>, <calls> and <libraries> to what registers the components that are named after them.
 function(nodal_registering declarations calls libraries)
   set(declared "")

@@ -26,10 +26,10 @@ std::string with_article(OptionType type) {
       return "a list of numbers";
     case OptionType::integer_list:
       return "a list of integers";
-    case OptionType::point_list:
-      return "a list of points [x, y]";
-    case OptionType::point_lists:
-      return "a list of lists of points [x, y]";
+    case OptionType::vector_list:
+      return "a list of vectors";
+    case OptionType::vector_lists:
+      return "a list of lists of vectors";
     case OptionType::table:
       return "a table";
     case OptionType::table_list:
@@ -65,11 +65,11 @@ class Check {
       case OptionType::integer_list:
         result = list();
         break;
-      case OptionType::point_list:
-        result = points();
+      case OptionType::vector_list:
+        result = vectors();
         break;
-      case OptionType::point_lists:
-        result = point_lists();
+      case OptionType::vector_lists:
+        result = vector_lists();
         break;
       case OptionType::table:
         wrong_type(option_.type);
@@ -136,18 +136,26 @@ class Check {
     });
   }
 
-  Value point() const {
-    if (!value_.is_list() || value_.list().size() != 2) refuse("must be a point [x, y]");
+  // "2 numbers", "2 to 3 numbers".
+  std::string entries_text() const {
+    const auto [least, most] = option_.entries;
+    return least == most ? fmt::format("{} numbers", least) : fmt::format("{} to {} numbers", least, most);
+  }
+
+  Value vector() const {
+    const auto [least, most] = option_.entries;
+    if (!value_.is_list() || value_.list().size() < least || value_.list().size() > most)
+      refuse("must be a list of " + entries_text());
     return list([](const Check& entry) { return entry.number(); });
   }
 
-  Value points() const {
-    if (!value_.is_list()) refuse("must be a list of points [x, y]");
-    return list([](const Check& entry) { return entry.point(); });
+  Value vectors() const {
+    if (!value_.is_list()) refuse("must be a list of vectors of " + entries_text());
+    return list([](const Check& entry) { return entry.vector(); });
   }
 
-  Value point_lists() const {
-    return list([](const Check& entry) { return entry.points(); });
+  Value vector_lists() const {
+    return list([](const Check& entry) { return entry.vectors(); });
   }
 
   Value tables() const {
@@ -166,10 +174,10 @@ class Check {
   std::string name_;
 };
 
-std::vector<std::array<double, 2>> points_of(const Value& list) {
-  std::vector<std::array<double, 2>> points;
-  for (const Value& point : list.list()) points.push_back({point.list().at(0).number(), point.list().at(1).number()});
-  return points;
+std::vector<std::vector<double>> vectors_of(const Value& list) {
+  std::vector<std::vector<double>> vectors;
+  for (const Value& vector : list.list()) vectors.push_back(vector.numbers());
+  return vectors;
 }
 
 void refuse_unknown_keys(const OptionSchema& schema, const Value& given, const std::string& owner) {
@@ -197,10 +205,10 @@ std::string_view to_string(OptionType type) noexcept {
       return "list of numbers";
     case OptionType::integer_list:
       return "list of integers";
-    case OptionType::point_list:
-      return "list of points";
-    case OptionType::point_lists:
-      return "list of lists of points";
+    case OptionType::vector_list:
+      return "list of vectors";
+    case OptionType::vector_lists:
+      return "list of lists of vectors";
     case OptionType::table:
       return "table";
     case OptionType::table_list:
@@ -231,11 +239,11 @@ std::vector<Options> Options::tables(std::string_view key) const {
   return tables;
 }
 
-std::vector<std::array<double, 2>> Options::points(std::string_view key) const { return points_of(at(key)); }
+std::vector<std::vector<double>> Options::vectors(std::string_view key) const { return vectors_of(at(key)); }
 
-std::vector<std::vector<std::array<double, 2>>> Options::point_lists(std::string_view key) const {
-  std::vector<std::vector<std::array<double, 2>>> lists;
-  for (const Value& list : at(key).list()) lists.push_back(points_of(list));
+std::vector<std::vector<std::vector<double>>> Options::vector_lists(std::string_view key) const {
+  std::vector<std::vector<std::vector<double>>> lists;
+  for (const Value& list : at(key).list()) lists.push_back(vectors_of(list));
   return lists;
 }
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <nodal/trial.h>
 
-#include <time.h>
-
 #include <algorithm>
 #include <cmath>
 #include <exception>
@@ -10,6 +8,7 @@
 #include <stdexcept>
 
 #include <nodal/agreement.h>
+#include <nodal/alternating.h>
 #include <nodal/shown.h>
 
 #include "known_quality.h"
@@ -32,12 +31,6 @@ std::uint64_t stream_key(const Study& study, const std::string& problem, const s
 std::uint64_t trial_seed(const Study& study, const Trial& trial) {
   return stream_key(study, study.problems.at(trial.problem).label,
                     "optimizer " + study.optimizers.at(trial.optimizer).label, trial.repeat);
-}
-
-double thread_cpu_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
 TrialRecord blank_record(const Study& study, const Trial& trial) {
@@ -72,7 +65,7 @@ class Run {
 
   void execute() {
     if (const std::string refusal = problem_.fit_refusal(); !refusal.empty()) throw InputError(refusal);
-    const double cpu_began = thread_cpu_seconds();
+    const double cpu_began = processor_seconds();
     const Meter::Clock::time_point began = Meter::Clock::now();
     const auto since = [began] { return std::chrono::duration<double>(Meter::Clock::now() - began).count(); };
 
@@ -96,7 +89,7 @@ class Run {
     record_.seconds.evaluation = std::min(meter.evaluation_seconds(), search_seconds);
     record_.seconds.optimizer = search_seconds - record_.seconds.evaluation;
     record_.seconds.harness = record_.seconds.total - search_seconds;
-    record_.seconds.cpu = std::max(0.0, thread_cpu_seconds() - cpu_began);
+    record_.seconds.cpu = std::max(0.0, processor_seconds() - cpu_began);
   }
 
  private:

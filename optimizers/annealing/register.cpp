@@ -164,9 +164,15 @@ void register_annealing(Registry& registry) {
                                     .uses_start = true,
                                     .local = false,
                                     .options = annealing::annealing_schema(),
-                                    .make = [](const Options& options) {
-                                      return std::make_unique<annealing::Annealing>(annealing::read_settings(options));
-                                    }});
+                                    .make =
+                                        [](const Options& options) {
+                                          return std::make_unique<annealing::Annealing>(
+                                              annealing::read_settings(options));
+                                        },
+                                    .suits =
+                                        [](const Problem&) {
+                                          return Suitability{10, "it needs nothing but values"};
+                                        }});
   registry.add(OptimizerDescription{
       .name = "annealing-adaptive",
       .summary = "simulated annealing that finds its own step sizes and temperatures, with reheats",

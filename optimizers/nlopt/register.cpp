@@ -12,6 +12,11 @@ namespace nlopt_methods {
 
 namespace {
 
+std::optional<Suitability> suits(const Method& method) {
+  if (method.algorithm != NLOPT_LD_LBFGS) return std::nullopt;
+  return Suitability{30, "gradients cost little, and the memory needed grows with the coordinates only"};
+}
+
 OptimizerDescription describe(const Method& method) {
   return {
       .name = std::string(method.name),
@@ -23,9 +28,9 @@ OptimizerDescription describe(const Method& method) {
       .local = method.local,
       .dense_matrix = method.dense_model || method.population.per_freedom > 0 ? DenseMatrix::square : DenseMatrix::none,
       .options = make_schema(method),
-      .make = [&method](const Options& options) {
-        return std::make_unique<NloptOptimizer>(method, read_settings(options));
-      }};
+      .make = [&method](
+                  const Options& options) { return std::make_unique<NloptOptimizer>(method, read_settings(options)); },
+      .suits = [&method](const Problem&) { return suits(method); }};
 }
 
 std::string library_version() {

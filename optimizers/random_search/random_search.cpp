@@ -32,7 +32,11 @@ void register_random_search(Registry& registry) {
                                     .uses_start = false,
                                     .local = false,
                                     .options = {},
-                                    .make = [](const Options&) { return std::make_unique<RandomSearch>(); }});
+                                    .make = [](const Options&) { return std::make_unique<RandomSearch>(); },
+                                    .suits =
+                                        [](const Problem&) {
+                                          return Suitability{0, "it needs nothing but values"};
+                                        }});
 }
 
 }  // namespace nodal

@@ -104,6 +104,11 @@ TEST_F(Planted, ProgramThatReachesIntoAnotherUnitIsFound) {
             "bench/report/page.h:3: includes \"step.h\", which is private to optimizers/walk\n");
 }
 
+TEST_F(Planted, BenchmarksOfAComponentMeasureItsPartsAndRegisterAll) {
+  write("problems/plate/micro/solving.cpp", "#include <nodal/components.h>\n#include \"solver.h\"\n");
+  EXPECT_EQ(breaches(), "");
+}
+
 TEST_F(Planted, LibrarysHeaderInAPublicHeaderIsFound) {
   write("lib/include/nodal/problem.h", "#include <fmt/format.h>\n");
   write("problems/plate/include/nodal/plate/plate.h", "#include <Eigen/Dense>\n#include \"solver.h\"\n");

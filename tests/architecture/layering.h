@@ -8,6 +8,7 @@
 ///   a problem or an optimizer includes lib's public headers, itself, and libraries of its own;
 ///   a public header (below an include/ folder) includes nothing but the standard library and public headers;
 ///   bench includes no private header of another unit, but for its micro-benchmarks, which measure such parts;
+///   the micro-benchmarks of a component, its folder micro/, are part of a program and include <nodal/components.h>;
 ///   nobody includes by a path that leaves its unit, nor asks the preprocessor what is in the build;
 ///   nobody catches std::invalid_argument, which means a bug: what can't be had is a Refusal (error.h);
 ///   every source begins with the licence.

@@ -39,8 +39,8 @@ const OptionSchema kSchema = {
      .fields = {{.name = "young", .required = true, .help = "modulus of elasticity"},
                 {.name = "poisson", .default_value = 0.3, .minimum = -1.0, .maximum = 0.5},
                 {.name = "layer", .type = OptionType::table, .fields = {{.name = "depth", .minimum = 0.0}}}}},
-    {.name = "outline", .type = OptionType::point_list},
-    {.name = "holes", .type = OptionType::point_lists},
+    {.name = "outline", .type = OptionType::vector_list},
+    {.name = "holes", .type = OptionType::vector_lists},
     {.name = "forces",
      .type = OptionType::table_list,
      .fields = {{.name = "node", .type = OptionType::integer, .required = true},
@@ -242,21 +242,38 @@ TEST(Source, LeavesOutWhatIsNotKnown) {
   EXPECT_STREQ(InputError(Source{"f", 1}, "what").what(), "f:1: what");
 }
 
-TEST(Options, ReadsPointsAndListsOfThem) {
+TEST(Options, ReadsVectorsAndListsOfThem) {
   const Options options = resolve(R"({"outline": [[0, 0], [4, 0.5]], "holes": [[[1, 1]], []]})");
-  using Points = std::vector<std::array<double, 2>>;
-  EXPECT_EQ(options.points("outline"), (Points{{0, 0}, {4, 0.5}}));
-  EXPECT_EQ(options.point_lists("holes"), (std::vector<Points>{{{1, 1}}, {}}));
+  using Vectors = std::vector<std::vector<double>>;
+  EXPECT_EQ(options.vectors("outline"), (Vectors{{0, 0}, {4, 0.5}}));
+  EXPECT_EQ(options.vector_lists("holes"), (std::vector<Vectors>{{{1, 1}}, {}}));
 }
 
-TEST(Options, RefusesWhatIsNoPoint) {
+TEST(Options, RefusesWhatIsNoVector) {
   EXPECT_EQ(refusal(R"({"outline": [[0, 0], [4]]})"),
-            "s.toml:1: entry 2 of 'outline' of optimizer 'toy' must be a point [x, y]");
+            "s.toml:1: entry 2 of 'outline' of optimizer 'toy' must be a list of 2 numbers");
   EXPECT_EQ(refusal(R"({"outline": [[0, "a"]]})"),
             "s.toml:1: entry 2 of entry 1 of 'outline' of optimizer 'toy' must be a number, not a text");
-  EXPECT_EQ(refusal(R"({"outline": 3})"), "s.toml:1: 'outline' of optimizer 'toy' must be a list of points [x, y]");
+  EXPECT_EQ(refusal(R"({"outline": 3})"),
+            "s.toml:1: 'outline' of optimizer 'toy' must be a list of vectors of 2 numbers");
   EXPECT_EQ(refusal(R"({"holes": [3]})"),
-            "s.toml:1: entry 1 of 'holes' of optimizer 'toy' must be a list of points [x, y]");
+            "s.toml:1: entry 1 of 'holes' of optimizer 'toy' must be a list of vectors of 2 numbers");
+}
+
+// Positions in the plane or in space, as a problem allows them.
+TEST(Options, HoldsVectorsToTheirLengths) {
+  const OptionSchema schema = {{.name = "at", .type = OptionType::vector_list, .entries = {2, 3}}};
+  const auto read = [&](const char* json) { return resolve_options(schema, parse_json(json, "s"), "toy"); };
+  EXPECT_EQ(read(R"({"at": [[1, 2], [1, 2, 3]]})").vectors("at"),
+            (std::vector<std::vector<double>>{{1, 2}, {1, 2, 3}}));
+  for (const char* wrong : {R"({"at": [[1]]})", R"({"at": [[1, 2, 3, 4]]})"}) {
+    try {
+      (void)read(wrong);
+      ADD_FAILURE() << wrong;
+    } catch (const InputError& error) {
+      EXPECT_STREQ(error.what(), "s:1: entry 1 of 'at' of toy must be a list of 2 to 3 numbers");
+    }
+  }
 }
 
 TEST(Options, ReadsAListOfTables) {

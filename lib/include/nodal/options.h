@@ -24,8 +24,8 @@ enum class OptionType {
   text,
   number_list,
   integer_list,
-  point_list,   ///< [[x, y], …]
-  point_lists,  ///< [[[x, y], …], …]
+  vector_list,   ///< [[x, y], …]: lists of `entries` numbers each
+  vector_lists,  ///< [[[x, y], …], …]
   table,
   table_list,  ///< tables with the same fields
 };
@@ -42,14 +42,15 @@ struct Option {
   std::string unit = {};                    ///< "" for dimensionless
   double minimum = -std::numeric_limits<double>::infinity();
   double maximum = std::numeric_limits<double>::infinity();
-  bool minimum_excluded = false;          ///< the range is open at its lower end
-  bool maximum_excluded = false;          ///< the range is open at its upper end
-  std::size_t length = 0;                 ///< of a list of numbers; 0 is any
-  std::size_t longest = 0;                ///< where it may be longer than `length`: up to this
-  std::vector<std::string> choices = {};  ///< of a text; empty is any text
-  std::string help = {};                  ///< one line: what it means and why this default
-  std::vector<Option> fields = {};        ///< of a table, or of each of a list
-  bool or_table = false;                  ///< a text option that may be a table with `fields` instead
+  bool minimum_excluded = false;                ///< the range is open at its lower end
+  bool maximum_excluded = false;                ///< the range is open at its upper end
+  std::size_t length = 0;                       ///< of a list of numbers; 0 is any
+  std::size_t longest = 0;                      ///< where it may be longer than `length`: up to this
+  std::array<std::size_t, 2> entries = {2, 2};  ///< the least and the most numbers of each vector of a list
+  std::vector<std::string> choices = {};        ///< of a text; empty is any text
+  std::string help = {};                        ///< one line: what it means and why this default
+  std::vector<Option> fields = {};              ///< of a table, or of each of a list
+  bool or_table = false;                        ///< a text option that may be a table with `fields` instead
 };
 
 using OptionSchema = std::vector<Option>;
@@ -69,8 +70,8 @@ class Options {
   [[nodiscard]] std::vector<double> numbers(std::string_view key) const { return table_.at(key).numbers(); }
   [[nodiscard]] Options table(std::string_view key) const { return Options(table_.at(key)); }
   [[nodiscard]] std::vector<Options> tables(std::string_view key) const;
-  [[nodiscard]] std::vector<std::array<double, 2>> points(std::string_view key) const;
-  [[nodiscard]] std::vector<std::vector<std::array<double, 2>>> point_lists(std::string_view key) const;
+  [[nodiscard]] std::vector<std::vector<double>> vectors(std::string_view key) const;
+  [[nodiscard]] std::vector<std::vector<std::vector<double>>> vector_lists(std::string_view key) const;
   [[nodiscard]] const Value& at(std::string_view key) const { return table_.at(key); }
   /// As one table, in the schema's order; sources are kept for messages.
   [[nodiscard]] const Value& values() const noexcept { return table_; }

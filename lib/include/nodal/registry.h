@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,6 +20,12 @@
 #include <nodal/problem.h>
 
 namespace nodal {
+
+/// That a method is a choice for a problem when nobody names one: `nodal fit` takes the highest rank.
+struct Suitability {
+  int rank = 0;  ///< 0 for a method of last resort; above it, the more is known about what it does here
+  std::string reason;
+};
 
 struct OptimizerDescription {
   std::string name = {};       ///< as `use` names it, e.g. "nlopt-crs2-lm"
@@ -31,6 +38,8 @@ struct OptimizerDescription {
   DenseMatrix dense_matrix = DenseMatrix::none;  ///< the largest that it holds
   OptionSchema options = {};
   std::function<std::unique_ptr<Optimizer>(const Options&)> make = {};
+  /// Of a problem that gives what the method needs; empty when it shouldn't be taken unasked. Left out: never.
+  std::function<std::optional<Suitability>(const Problem&)> suits = {};
 };
 
 /// Where a problem of a study stands: relative files are looked up beside the study.

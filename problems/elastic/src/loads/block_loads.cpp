@@ -29,9 +29,7 @@ Tensor shear(std::size_t a, std::size_t b, double stress) {
 }
 
 std::string stretch_name(std::size_t axis) { return std::string("stretch-") + kAxisNames[axis]; }
-std::string shear_name(std::size_t a, std::size_t b) {
-  return std::string("shear-") + kAxisNames[a] + kAxisNames[b];
-}
+std::string shear_name(std::size_t a, std::size_t b) { return std::string("shear-") + kAxisNames[a] + kAxisNames[b]; }
 
 class BlockLoads {
  public:

@@ -10,11 +10,10 @@ void LoadSetBuilder::add(std::string name, std::vector<double> forces, std::vect
   std::ranges::sort(group.supports, {}, [&](const Support& s) { return freedoms_.at(s.node, s.axis); });
   // What was measured of a freedom that is held says nothing about springs.
   for (const Support& s : group.supports) reference[freedoms_.at(s.node, s.axis)] = s.value;
-  const auto same = std::ranges::find_if(set_.groups, [&](const SupportGroup& g) {
-    return g.supports == group.supports && g.weights == group.weights;
-  });
-  set_.loads.push_back({std::move(name), static_cast<std::size_t>(same - set_.groups.begin()), std::move(forces),
-                        std::move(reference)});
+  const auto same = std::ranges::find_if(
+      set_.groups, [&](const SupportGroup& g) { return g.supports == group.supports && g.weights == group.weights; });
+  set_.loads.push_back(
+      {std::move(name), static_cast<std::size_t>(same - set_.groups.begin()), std::move(forces), std::move(reference)});
   if (same == set_.groups.end()) set_.groups.push_back(std::move(group));
 }
 

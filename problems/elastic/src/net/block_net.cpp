@@ -34,8 +34,8 @@ class Block {
   [[nodiscard]] Vector place(const Index& i) const {
     Vector at{};
     for (std::size_t axis = 0; axis < 3; ++axis)
-      at[axis] = box_.low[axis] +
-                 box_.along(axis) * (static_cast<double>(i[axis]) / static_cast<double>(counts_[axis] - 1));
+      at[axis] =
+          box_.low[axis] + box_.along(axis) * (static_cast<double>(i[axis]) / static_cast<double>(counts_[axis] - 1));
     return at;
   }
   [[nodiscard]] NodeKind kind(const Index& i) const {

@@ -180,12 +180,12 @@ OptionSchema body_fields() {
        .help = "of a regular polygon: the direction of its first vertex"},
       point("centre", "[0, 0]", "of a disc, ring or regular polygon"),
       {.name = "outline",
-       .type = OptionType::point_list,
+       .type = OptionType::vector_list,
        .default_text = "none",
        .unit = "m",
        .help = "of a polygon: its vertices"},
       {.name = "holes",
-       .type = OptionType::point_lists,
+       .type = OptionType::vector_lists,
        .default_text = "none",
        .unit = "m",
        .help = "of a polygon: the vertices of each hole"},
@@ -222,6 +222,12 @@ std::string shape_of(const Options& body, const std::string& default_shape) {
   return default_shape;
 }
 
+Ring ring_of(const std::vector<std::vector<double>>& vertices) {
+  Ring ring;
+  for (const std::vector<double>& vertex : vertices) ring.push_back({vertex[0], vertex[1]});
+  return ring;
+}
+
 Body read_rings(const Options& body, const ProblemContext& context, const std::string& shape) {
   check_keys(body, shape);
   if (shape == "box") {
@@ -243,9 +249,9 @@ Body read_rings(const Options& body, const ProblemContext& context, const std::s
     return read;
   }
   if (shape == "polygon") {
-    std::vector<Ring> rings = {body.points("outline")};
+    std::vector<Ring> rings = {ring_of(body.vectors("outline"))};
     if (body.has("holes"))
-      for (Ring& hole : body.point_lists("holes")) rings.push_back(std::move(hole));
+      for (const auto& hole : body.vector_lists("holes")) rings.push_back(ring_of(hole));
     scale_rings(body, rings);
     const std::size_t holes = rings.size() - 1;
     Body polygon = checked_body(std::move(rings), "polygon", thickness, corner_turn, body.at("outline").source);

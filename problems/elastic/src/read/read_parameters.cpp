@@ -18,7 +18,7 @@ const std::vector<std::string> kRules = {"each", "by-direction", "by-length", "s
 OptionSchema list_fields() {
   return {
       {.name = "name", .type = OptionType::text, .required = true, .help = "of the group"},
-      {.name = "springs", .type = OptionType::point_list, .required = true, .help = "its springs, each [node, node]"},
+      {.name = "springs", .type = OptionType::vector_list, .required = true, .help = "its springs, each [node, node]"},
   };
 }
 
@@ -34,8 +34,8 @@ ParameterRule read_lists(const Options& table, const Net& net) {
   for (const Options& list : table.tables("lists")) {
     SpringGroup group{list.text("name"), {}};
     const Source& source = list.at("springs").source;
-    for (const auto& [i, j] : list.points("springs"))
-      group.springs.push_back({node_of(i, names, source), node_of(j, names, source)});
+    for (const std::vector<double>& ends : list.vectors("springs"))
+      group.springs.push_back({node_of(ends[0], names, source), node_of(ends[1], names, source)});
     groups.push_back(std::move(group));
   }
   return listed_rule(net, groups);

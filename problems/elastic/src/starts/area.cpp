@@ -81,7 +81,7 @@ std::vector<double> volumes_beside(const Net& net) {
 std::vector<double> area_stiffness(const Net& net, const Material& material) {
   if (net.grid.columns == 0 && net.triangles.empty())
     throw Refusal("the 'area' rule needs springs that are the sides of triangles, and these are not");
-  const std::vector<double> areas = net.dimension == 3      ? volumes_beside(net)
+  const std::vector<double> areas = net.dimension == 3     ? volumes_beside(net)
                                     : net.grid.columns > 0 ? areas_on_a_grid(net)
                                                            : areas_of_triangles(net);
   std::vector<double> k;

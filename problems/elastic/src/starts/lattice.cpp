@@ -101,8 +101,7 @@ std::vector<double> lattice_stiffness(const Net& net, const Material& material) 
   if (net.dimension == 3) {
     std::vector<double> k = cubes_with_face_diagonals(net, material);
     if (k.empty())
-      throw Refusal(
-          "the 'lattice' rule in space needs topology 'faces' on cubes; body diagonals break it under shear");
+      throw Refusal("the 'lattice' rule in space needs topology 'faces' on cubes; body diagonals break it under shear");
     return k;
   }
   double of_a_cell = 0.375;

@@ -9,6 +9,7 @@
 #include <Eigen/QR>
 
 #include <nodal/elastic/net.h>
+#include <nodal/error.h>
 #include <nodal/random.h>
 
 #include "masses/masses.h"

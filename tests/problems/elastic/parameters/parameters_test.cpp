@@ -8,6 +8,7 @@
 #include <set>
 
 #include <nodal/elastic/parameters.h>
+#include <nodal/error.h>
 #include <nodal/random.h>
 
 #include "parameters/spring_classes.h"

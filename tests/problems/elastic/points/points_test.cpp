@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include <nodal/elastic/net.h>
+#include <nodal/error.h>
 
 #include "../bodies.h"
 #include "geometry/plane/segment.h"

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <stdexcept>
 
+#include <nodal/error.h>
 #include <nodal/random.h>
 
 #include "../bodies.h"

@@ -62,9 +62,8 @@ enum class SupportStyle {
 /// edge     two stretches and two shears. The held edges are those on the left and lower side of the bounding box; a
 ///          stretch doesn't pull between nodes that it holds; a shear pulls at its held edge too, which bears it. The
 ///          anchor of a stretch is the edge's node nearest to its middle.
-/// minimal  two stretches and a shear. Held are the outline's lowest node (the leftmost of several) in x and y, and in
-/// y
-///          the one farthest from it in x (the lowest of several): the two lower corners of a rectangle. The reference
+/// minimal  two stretches and a shear. Held are the outline's lowest node (the leftmost of several) in x and y, and the
+///          one farthest from it in x (the lowest of several) in y: the two lower corners of a rectangle. The reference
 ///          is the homogeneous field plus the small rigid motion that makes it zero there.
 ///
 /// In space, on a box (in this order; ab in xy, yx, yz, zy, zx, xz):

@@ -14,8 +14,8 @@ Body box_body(const Vector& corner, const Vector& size) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     box.high[axis] += size[axis];
     if (!(size[axis] > 0.0) || !std::isfinite(box.low[axis]) || !std::isfinite(box.high[axis]))
-      throw Refusal(fmt::format("a box needs finite, positive sizes; this one has {} along {}", size[axis],
-                                kAxisNames[axis]));
+      throw Refusal(
+          fmt::format("a box needs finite, positive sizes; this one has {} along {}", size[axis], kAxisNames[axis]));
     if (!(box.along(axis) > 0.0))
       throw Refusal(fmt::format("a box of {} along {} is nothing beside its place {}", size[axis], kAxisNames[axis],
                                 corner[axis]));

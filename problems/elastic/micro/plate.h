@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-/// What the benchmarks share: plates of the default study, points to evaluate, and a fair way to time two things.
+/// What the benchmarks share: plates of the default study and points to evaluate.
 
 #include <cstddef>
-#include <functional>
 #include <memory>
 #include <vector>
 
 #include <benchmark/benchmark.h>
+#include <nodal/alternating.h>
 #include <nodal/elastic/elastic_problem.h>
 
 namespace nodal::micro {
@@ -24,15 +24,6 @@ namespace nodal::micro {
 /// Points around the start, each coordinate moved by up to ±20 %: no two calls in a row see the same one.
 [[nodiscard]] std::vector<std::vector<double>> make_points(const Space& space, std::size_t count);
 
-/// This thread's processor time: what others do on the machine at the moment counts for neither side.
-[[nodiscard]] double processor_seconds();
-
-/// Processor seconds per call of two things, as the medians over blocks that alternate, so that a slow moment of the
-/// machine meets both. `first` and `second` run their thing once.
-struct Pair {
-  double first = 0.0, second = 0.0;
-};
-[[nodiscard]] Pair time_alternating(const std::function<void()>& first, const std::function<void()>& second,
-                                    double block_seconds = 1e-3, std::size_t blocks = 401);
+using Pair = PairOfSeconds;
 
 }  // namespace nodal::micro
