@@ -8,9 +8,6 @@ namespace nodal::elastic {
 
 namespace {
 
-// The D×D pivots are inverted, where CHOLMOD divides by scalar ones: that can cost two digits more.
-constexpr double kInverseLoss = 100.0;
-
 // Springs whose columns of the Jacobian are computed before they are written, row by row.
 constexpr std::size_t kColumns = 16;
 
@@ -47,20 +44,10 @@ std::optional<double> LaneEvaluation::solve(std::span<const double> stiffness) {
   ++solves_;
   double squared = 0.0;
   for (System& system : systems_) {
-    const LaneFactored factored = system.lanes.factorize(stiffness);
-    if (!factored.fine) return std::nullopt;
-    const LaneView& view = system.lanes.view();
-    const LaneKernels& kernels = system.lanes.kernels();
-    kernels.solve_loads(view, stiffness.data(), system.u.data());
-    if (plain_solve_loses(system.lanes.structure().dimension() * view.nodes,
-                          factored.smallest_pivot_ratio / kInverseLoss)) {
-      ++solves_;
-      for (std::uint32_t slot = 0; slot < view.slots; ++slot) {
-        double* u = system.u.data() + slot * system.lanes.structure().vector_size();
-        if (!(kernels.correct(view, stiffness.data(), slot, u) <= kSuspiciousCorrection)) return std::nullopt;
-      }
-    }
-    squared += kernels.squared_error(view, system.u.data());
+    const LaneSolved solved = system.lanes.solve(stiffness, system.u.data());
+    if (solved.corrected) ++solves_;
+    if (!solved.fine) return std::nullopt;
+    squared += system.lanes.kernels().squared_error(system.lanes.view(), system.u.data());
   }
   if (!std::isfinite(squared)) return std::nullopt;
   return squared;

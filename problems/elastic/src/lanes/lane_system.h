@@ -16,12 +16,24 @@ namespace nodal::elastic {
 
 class FullEvaluation;
 
+/// Whether a plain solve with a lane factor of so many unknowns is as good as a race asks for (1e-10).
+[[nodiscard]] bool trusted(const LaneFactored& factored, std::size_t unknowns) noexcept;
+
+/// How the loads were solved for. Not `fine`: nothing is to be believed, and CHOLMOD has to be asked.
+struct LaneSolved {
+  bool fine = false;
+  bool corrected = false;
+};
+
 class LaneSystem {
  public:
   /// The structure must outlive it.
   LaneSystem(const LaneStructure& structure, const LaneKernels& kernels);
 
   LaneFactored factorize(std::span<const double> stiffness);
+  /// Factors K(stiffness) and solves for every slot, into [slots] vectors; where a plain solve is not to be trusted,
+  /// with one correction, which must be small.
+  LaneSolved solve(std::span<const double> stiffness, double* u);
   /// True when the factor's own displacements give the G of a full evaluation at the same stiffnesses, to 2.5e-10 of it
   /// and of the reference.
   [[nodiscard]] bool agrees_with(const FullEvaluation& solved, std::span<const double> stiffness,

@@ -33,12 +33,9 @@ Priced RefactorForm::price(const Change& change) {
   double squared = 0.0;
   for (std::size_t s = 0; s < systems_.size(); ++s) {
     LaneSystem& system = systems_[s];
-    const LaneFactored factored = system.factorize(proposed_);
-    // What can't be trusted to a plain solve is left to CHOLMOD, which refines or says what is wrong.
-    if (!factored.fine ||
-        plain_solve_loses(system.structure().dimension() * system.view().nodes, factored.smallest_pivot_ratio))
-      return price_in_full();
-    system.kernels().solve_loads(system.view(), proposed_.data(), displacements_[s].data());
+    const LaneSolved solved = system.solve(proposed_, displacements_[s].data());
+    if (solved.corrected) ++solves_;
+    if (!solved.fine) return price_in_full();  // CHOLMOD refines, or says what is wrong
     squared += system.kernels().squared_error(system.view(), displacements_[s].data());
   }
   return {Status::ok, squared};
