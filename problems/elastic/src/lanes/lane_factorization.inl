@@ -56,8 +56,11 @@ struct Crossing {
     });
   }
   void take(Block<G, D>& b, const Block<G, D>& below) const {
-    for (int c = 0; c < D; ++c)
-      for (int r = 0; r < D; ++r) b.column[c] = fnma(below.column[r], factor[c][r], b.column[c]);
+    for (int r = 0; r < D; ++r) {
+      Vec<G, D> column = below.column[r];
+      column.keep();
+      for (int c = 0; c < D; ++c) b.column[c] = fnma(column, factor[c][r], b.column[c]);
+    }
   }
 };
 

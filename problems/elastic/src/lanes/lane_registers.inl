@@ -63,6 +63,11 @@ struct Numbers {
   void store(double* at) const {
     for (int p = 0; p < kParts; ++p) *reinterpret_cast<Vector*>(at + p * kWidth) = v[p];
   }
+  void keep() {
+#if defined(__x86_64__)
+    for (int p = 0; p < kParts; ++p) asm("" : "+v"(v[p]));
+#endif
+  }
   static Numbers all(double value) {
     Numbers n;
     for (int p = 0; p < kParts; ++p) n.v[p] = value - Vector{};

@@ -46,6 +46,10 @@ struct Vec {
   void store(double* at) const {
     for (int p = 0; p < kParts; ++p) part[p].store(at + p * G);
   }
+  // Loaded once: compilers would rather load again what is used several times.
+  void keep() {
+    for (int p = 0; p < kParts; ++p) part[p].keep();
+  }
   static Vec all(double value) {
     Vec v;
     for (int p = 0; p < kParts; ++p) v.part[p] = Part::all(value);
