@@ -145,7 +145,8 @@ struct Ends {
   double direction[D];
 
   Ends(const LaneView& view, Index spring) : low(view.ends[spring].low), high(view.ends[spring].high) {
-    for (int a = 0; a < D; ++a) direction[a] = view.direction[D * spring + a];
+    const double* of_spring = view.direction + std::size_t{D} * spring;
+    for (int a = 0; a < D; ++a) direction[a] = of_spring[a];
   }
 };
 
