@@ -64,38 +64,89 @@ struct Crossing {
   }
 };
 
-// Column j of K less what the columns to its left take from it: of each column k, A_ik L_jkᵀ for the rows i from j on.
-// `positions` maps rows to column j's blocks. Two columns with the same rows are taken at once.
+// Where the rows of a column stand among its blocks; the other rows' numbers mean nothing.
+inline void note_positions(const LaneView& view, Index column, Index* positions) {
+  for (Index p = view.begin[column]; p < view.begin[column + 1]; ++p) positions[view.row[p]] = p;
+}
+
+// Column j of K less what one column k to its left takes from it, A_ik L_jkᵀ for the rows i from j on. k is that of row
+// entry r of j; with its twin it is taken at once where that stands left of `limit`, too. Returns the entry after.
 template <int G, int D>
-[[gnu::noinline, gnu::flatten]] void subtract_left(const LaneView& view, Index j, Index* positions) {
+inline Index subtract_one(const LaneView& view, Index r, Index limit, const Index* positions) {
   double* const blocks = view.blocks;  // a store of numbers might be one to the view, for all that a compiler knows
-  for (Index p = view.begin[j]; p < view.begin[j + 1]; ++p) positions[view.row[p]] = p;
-  for (Index r = view.row_begin[j]; r < view.row_begin[j + 1]; ++r) {
-    const RowEntry& entry = view.row_entries[r];
-    const Crossing<G, D> crossing(view, entry);
-    const Index *row = view.row + entry.block, *end = view.row + view.begin[entry.column + 1];
-    const double* below = blocks + kBlock<G, D> * entry.block;
-    if (view.twin[entry.column] && entry.column + 1 < j) {
-      const RowEntry& twin = view.row_entries[++r];
-      const Crossing<G, D> also(view, twin);
-      const double* second = blocks + kBlock<G, D> * twin.block;
-      for (; row != end; ++row, below += kBlock<G, D>, second += kBlock<G, D>) {
-        double* to = blocks + kBlock<G, D> * positions[*row];
-        Block<G, D> b = Block<G, D>::load(to);
-        crossing.take(b, Block<G, D>::load(below));
-        also.take(b, Block<G, D>::load(second));
-        b.store(to);
-      }
-    } else {
-      for (; row != end; ++row, below += kBlock<G, D>) {
-        double* to = blocks + kBlock<G, D> * positions[*row];
-        Block<G, D> b = Block<G, D>::load(to);
-        crossing.take(b, Block<G, D>::load(below));
-        b.store(to);
-      }
+  const RowEntry& entry = view.row_entries[r];
+  const Crossing<G, D> crossing(view, entry);
+  const Index *row = view.row + entry.block, *end = view.row + view.begin[entry.column + 1];
+  const double* below = blocks + kBlock<G, D> * entry.block;
+  if (!view.twin[entry.column] || entry.column + 1 >= limit) {
+    for (; row != end; ++row, below += kBlock<G, D>) {
+      double* to = blocks + kBlock<G, D> * positions[*row];
+      Block<G, D> b = Block<G, D>::load(to);
+      crossing.take(b, Block<G, D>::load(below));
+      b.store(to);
+    }
+    return r + 1;
+  }
+  const RowEntry& twin = view.row_entries[r + 1];
+  const Crossing<G, D> also(view, twin);
+  const double* second = blocks + kBlock<G, D> * twin.block;
+  for (; row != end; ++row, below += kBlock<G, D>, second += kBlock<G, D>) {
+    double* to = blocks + kBlock<G, D> * positions[*row];
+    Block<G, D> b = Block<G, D>::load(to);
+    crossing.take(b, Block<G, D>::load(below));
+    also.take(b, Block<G, D>::load(second));
+    b.store(to);
+  }
+  return r + 2;
+}
+
+// Columns that are brought up to date together, so that a column to their left is read from memory once for all of
+// them. In the plane columns are short, and the factor of any net that is fitted fits into a cache.
+template <int G, int D>
+constexpr Index kPanel = D == 2   ? 1
+                         : G == 1 ? 4
+                                  : 8;
+
+// The columns [begin, end) while they are brought up to date: which entry of each row comes next, and rows' positions.
+template <int G, int D>
+struct Panel {
+  Index begin, end;
+  Index next[kPanel<G, D>];
+  Index* positions;  // [kPanel][nodes], in a vector of [nodes][D·G] doubles
+  static_assert(kPanel<G, D> * sizeof(Index) <= kVector<G, D> * sizeof(double));
+
+  Panel(const LaneView& view, Index first, Index* of_rows)
+      : begin(first), end(first + kPanel<G, D> < view.nodes ? first + kPanel<G, D> : view.nodes), positions(of_rows) {
+    for (Index j = begin; j < end; ++j) {
+      next[j - begin] = view.row_begin[j];
+      note_positions(view, j, positions + std::size_t{view.nodes} * (j - begin));
     }
   }
-}
+  // All that columns left of the panel take from it, in their order.
+  void subtract_left(const LaneView& view) {
+    for (;;) {
+      Index column = begin;
+      for (Index j = begin; j < end; ++j)
+        if (next[j - begin] < view.row_begin[j + 1])
+          column = least_of(column, view.row_entries[next[j - begin]].column);
+      if (column == begin) return;
+      for (Index j = begin; j < end; ++j)
+        if (next[j - begin] < view.row_begin[j + 1] && view.row_entries[next[j - begin]].column == column)
+          subtract(view, j, begin);
+    }
+  }
+  // What columns of the panel left of j take from it.
+  void subtract_within(const LaneView& view, Index j) {
+    while (next[j - begin] < view.row_begin[j + 1]) subtract(view, j, j);
+  }
+
+ private:
+  static Index least_of(Index a, Index b) { return a < b ? a : b; }
+  void subtract(const LaneView& view, Index j, Index limit) {
+    Index& r = next[j - begin];
+    r = subtract_one<G, D>(view, r, limit, positions + std::size_t{view.nodes} * (j - begin));
+  }
+};
 
 // A_ij D_j⁻¹ → L_ij.
 template <int G, int D>
@@ -162,21 +213,31 @@ inline Inverted<G, 3> invert(const Block<G, 3>& pivot, const Vec<G, 3>& diagonal
           first.positive() && second.positive() && third.positive()};
 }
 
+// Brings the columns of a panel up to date and inverts their pivots.
 template <int G, int D>
-[[gnu::flatten]] LaneFactored factorize(const LaneView& view, const double* stiffness) {
-  assemble<G, D>(view, stiffness);
-  Index* positions = reinterpret_cast<Index*>(view.work);
-  LaneFactored result{true, 0, 1.0};
-  Lane<G> smallest = Lane<G>::all(1.0);
-  for (Index j = 0; j < view.nodes && result.fine; ++j) {
-    const Vec<G, D> diagonal_of_k = diagonal(load_block<G, D>(view, view.begin[j]));
-    subtract_left<G, D>(view, j, positions);
-    const Inverted<G, D> inverted = invert(load_block<G, D>(view, view.begin[j]), diagonal_of_k);
+[[gnu::noinline, gnu::flatten]] void factorize_panel(const LaneView& view, Index first, Lane<G>& smallest,
+                                                     LaneFactored& result) {
+  Vec<G, D> diagonal_of_k[kPanel<G, D>];
+  Panel<G, D> panel(view, first, reinterpret_cast<Index*>(view.work));
+  for (Index j = panel.begin; j < panel.end; ++j)
+    diagonal_of_k[j - panel.begin] = diagonal(load_block<G, D>(view, view.begin[j]));
+  if (kPanel < G, D >> 1) panel.subtract_left(view);
+  for (Index j = panel.begin; j < panel.end && result.fine; ++j) {
+    panel.subtract_within(view, j);
+    const Inverted<G, D> inverted = invert(load_block<G, D>(view, view.begin[j]), diagonal_of_k[j - panel.begin]);
     result.fine = inverted.positive;
     if (!result.fine) result.failed = j;
     smallest = least(smallest, inverted.smallest_ratio);
     inverted.inverse.store(block_at<G, D>(view, view.begin[j]));
   }
+}
+
+template <int G, int D>
+[[gnu::flatten]] LaneFactored factorize(const LaneView& view, const double* stiffness) {
+  assemble<G, D>(view, stiffness);
+  LaneFactored result{true, 0, 1.0};
+  Lane<G> smallest = Lane<G>::all(1.0);
+  for (Index j = 0; j < view.nodes && result.fine; j += kPanel<G, D>) factorize_panel<G, D>(view, j, smallest, result);
   if (result.fine) finish_columns<G, D>(view);
   for (int lane = 0; lane < G; ++lane)
     if (smallest[lane] < result.smallest_pivot_ratio) result.smallest_pivot_ratio = smallest[lane];
