@@ -3,6 +3,7 @@
 // runs here and 1, 2, 4 and 8 groups, with supports at rest and moved.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "lane_truss.h"
@@ -59,6 +60,35 @@ TEST_P(Kernels, SolveForLoads) {
       EXPECT_LT(system_.error(slot(s), lane, system_.displacement(lane, s)), kSolve) << lane << ' ' << s;
   const auto exact = static_cast<double>(system_.squared());
   EXPECT_NEAR(kernels().squared_error(view(), u_.data()), exact, kSolve * exact);
+}
+
+// The least share of its diagonal that elimination, in the lanes' order, leaves a pivot.
+long double least_pivot_ratio(const LaneTruss& system, std::size_t lane) {
+  const LongMatrix k = system.held_matrix(lane);
+  LongMatrix rest(k.rows(), k.cols());
+  const auto place = [&](Eigen::Index f) {
+    return static_cast<Eigen::Index>(system.at(static_cast<std::size_t>(f), 0) / system.lanes);
+  };
+  for (Eigen::Index i = 0; i < k.rows(); ++i)
+    for (Eigen::Index j = 0; j < k.cols(); ++j) rest(place(i), place(j)) = k(i, j);
+  const LongVector diagonal = rest.diagonal();
+  long double least = 1.0L;
+  for (Eigen::Index j = 0; j < rest.rows(); ++j) {
+    least = std::min(least, rest(j, j) / diagonal[j]);
+    const LongVector column = rest.col(j) / rest(j, j);
+    rest -= column * rest.row(j).eval();
+  }
+  return least;
+}
+
+TEST_P(Kernels, SayHowMuchOfTheWorstPivotWasLeft) {
+  for (int trial = 0; trial < 8; ++trial) {
+    for (double& k : system_.truss.stiffness) k = std::pow(30.0, random_.uniform(-1.0, 1.0));
+    long double least = 1.0L;
+    for (std::size_t lane = 0; lane < system_.lanes; ++lane) least = std::min(least, least_pivot_ratio(system_, lane));
+    const auto exact = static_cast<double>(least);
+    EXPECT_NEAR(system_.factorize().smallest_pivot_ratio, exact, 1e-9 * exact);
+  }
 }
 
 TEST_P(Kernels, SolveForASpring) {

@@ -139,7 +139,9 @@ LongMatrix LaneTruss::stiffness_matrix() const {
   return k;
 }
 
-Eigen::LDLT<LongMatrix> LaneTruss::dense(std::size_t lane) const {
+Eigen::LDLT<LongMatrix> LaneTruss::dense(std::size_t lane) const { return held_matrix(lane).ldlt(); }
+
+LongMatrix LaneTruss::held_matrix(std::size_t lane) const {
   LongMatrix k = stiffness_matrix();
   const std::vector<bool> is_held = held(lane);
   for (std::size_t f = 0; f < freedoms(); ++f) {
@@ -149,7 +151,7 @@ Eigen::LDLT<LongMatrix> LaneTruss::dense(std::size_t lane) const {
     k.col(i).setZero();
     k(i, i) = 1.0L;
   }
-  return k.ldlt();
+  return k;
 }
 
 LongVector LaneTruss::free_part(const LongVector& v, std::size_t lane) const {

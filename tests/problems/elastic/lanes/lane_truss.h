@@ -66,7 +66,8 @@ class LaneTruss {
   [[nodiscard]] LongVector spring(std::size_t e) const;
   /// K of all freedoms, at the truss's stiffnesses.
   [[nodiscard]] LongMatrix stiffness_matrix() const;
-  /// … with unit rows where a lane is held, factored.
+  /// … with unit rows where a lane is held, and its factor.
+  [[nodiscard]] LongMatrix held_matrix(std::size_t lane) const;
   [[nodiscard]] Eigen::LDLT<LongMatrix> dense(std::size_t lane) const;
   /// The part of a vector on free freedoms.
   [[nodiscard]] LongVector free_part(const LongVector& v, std::size_t lane) const;
