@@ -9,6 +9,7 @@
 #include "lane_derivatives.inl"
 #include "lane_factorization.inl"
 #include "lane_price_list.inl"
+#include "lane_update.inl"
 
 namespace nodal::elastic::NODAL_LANE_NAMESPACE {
 

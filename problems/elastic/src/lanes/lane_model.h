@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-/// What walks and lane evaluations of one problem share: the node graph and the lane structures of all support groups.
-/// Made with the problem where values go by lanes, else when the first walk is.
+/// What evaluators and walks of one problem share: the node graph and the lane structures of all support groups.
 ///
 /// Threads  immutable.
 
