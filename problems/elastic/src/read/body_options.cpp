@@ -20,9 +20,8 @@ namespace {
 constexpr std::int64_t kDefaultSides = 64, kMostSides = 100000;
 constexpr double kDefaultCornerTurnDegrees = 30.0;
 
-const std::vector<std::string> kPlaneShapes = {"rectangle", "disc", "ring", "regular", "polygon", "file", "none"};
-
-// Which keys belong to which shapes; `shape` belongs to all, `thickness` and `corner_turn` to those in the plane.
+// Which keys belong to which shapes; `shape` belongs to all, `thickness`, `corner_turn` and
+// `on_outline` to those in the plane.
 struct ShapeKey {
   const char* name;
   std::vector<std::string> shapes;
@@ -33,7 +32,6 @@ const std::vector<ShapeKey>& shape_keys() {
   static const std::vector<ShapeKey> keys = {
       {"size", {"rectangle", "box"}, {"box"}},
       {"corner", {"rectangle", "box"}, {}},
-      {"on_outline", kPlaneShapes, {}},
       {"radius", {"disc", "ring", "regular"}, {"disc", "ring", "regular"}},
       {"inner_radius", {"ring"}, {"ring"}},
       {"sides", {"disc", "ring", "regular"}, {"regular"}},
@@ -155,7 +153,7 @@ OptionSchema body_fields() {
       {.name = "shape",
        .type = OptionType::text,
        .default_text =
-           "by the keys: size makes a rectangle, outline a polygon, file a file; without any rectangle, or none where "
+           "by the keys: size makes a rectangle, of three numbers a box, outline a polygon, file a file; without any rectangle, or none where "
            "points come from a file",
        .choices = {"rectangle", "disc", "ring", "regular", "polygon", "file", "none", "box"},
        .help =
@@ -217,6 +215,8 @@ namespace {
 // What is said, or what a key says that belongs to one shape alone: an outline makes a polygon.
 std::string shape_of(const Options& body, const std::string& default_shape) {
   if (body.has("shape")) return body.text("shape");
+  for (const char* key : {"size", "corner"})  // two numbers or three
+    if (body.has(key)) return body.numbers(key).size() == 3 ? "box" : "rectangle";
   for (const ShapeKey& key : shape_keys())
     if (body.has(key.name) && key.shapes.size() == 1) return key.shapes.front();
   return default_shape;
@@ -231,8 +231,9 @@ Ring ring_of(const std::vector<std::vector<double>>& vertices) {
 Body read_rings(const Options& body, const ProblemContext& context, const std::string& shape) {
   check_keys(body, shape);
   if (shape == "box") {
-    for (const auto& [key, otherwise] : {std::pair{"thickness", 1.0}, {"corner_turn", kDefaultCornerTurnDegrees}})
-      if (body.number(key) != otherwise)
+    for (const auto& [key, otherwise] :
+         {std::pair{"thickness", 1.0}, {"corner_turn", kDefaultCornerTurnDegrees}, {"on_outline", kOnOutline}})
+      if (body.has(key) && body.number(key) != otherwise)
         throw InputError(body.at(key).source, fmt::format("'{}' belongs to bodies in the plane, not to a box", key));
     return at(body.at("size").source,
               [&] { return box_body(vector_or(body, "corner", {}), vector_or(body, "size", {})); });

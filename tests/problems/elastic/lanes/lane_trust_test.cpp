@@ -16,7 +16,7 @@ enum class Weakness { none, node, everywhere };
 
 void weaken(Truss& truss, Weakness weakness) {
   for (std::size_t e = 0; e < truss.springs.size(); ++e) {
-    const GraphSpring& s = truss.springs[e];
+    const Spring& s = truss.springs[e];
     const bool at_node = s.first == truss.nodes / 2 || s.second == truss.nodes / 2;
     if (weakness == Weakness::node && at_node) truss.stiffness[e] *= 1e-6;
     if (weakness == Weakness::everywhere && e % 7 != 0) truss.stiffness[e] *= 1e-5;

@@ -369,7 +369,7 @@ TEST(BodyOptions, MakePolygonsWithHoles) {
 
 TEST(BodyOptions, RefuseKeysOfOtherShapes) {
   EXPECT_EQ(refusal("{\"shape\": \"disc\",\n\"radius\": 1,\n\"size\": [1, 1]}"),
-            "s.toml:3: 'size' in 'body' belongs to shape 'rectangle', not to 'disc'; 'disc' has 'radius', 'sides', "
+            "s.toml:3: 'size' in 'body' belongs to shape 'rectangle', 'box', not to 'disc'; 'disc' has 'radius', 'sides', "
             "'centre'");
   EXPECT_EQ(refusal(R"({"radius": 1})"),
             "s.toml:1: 'radius' in 'body' belongs to shape 'disc', 'ring', 'regular', not to 'rectangle'; 'rectangle' "
