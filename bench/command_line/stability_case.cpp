@@ -176,7 +176,8 @@ Scene scene_of(const Reading& reading, const Registry& registry) {
     scene = problem->scene();
     scene.initial_stiffness = problem->stiffness(problem->space().start());
   } else if (o.has("problem")) {
-    scene = elastic::make_scene(o.table("problem"), {reading.directory, reading.source});
+    InputFiles files(reading.directory);
+    scene = elastic::make_scene(o.table("problem"), {files, reading.source});
   } else {
     scene = scene_by_hand(reading);
   }

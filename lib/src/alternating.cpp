@@ -37,8 +37,8 @@ double median(std::vector<double>& values) {
 
 }  // namespace
 
-PairOfSeconds time_alternating(const std::function<void()>& first, const std::function<void()>& second, double block_seconds,
-                               std::size_t blocks) {
+PairOfSeconds time_alternating(const std::function<void()>& first, const std::function<void()>& second,
+                               double block_seconds, std::size_t blocks) {
   const std::size_t first_calls = calls_per_block(first, block_seconds),
                     second_calls = calls_per_block(second, block_seconds);
   std::vector<double> first_seconds, second_seconds;

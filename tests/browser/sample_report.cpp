@@ -50,7 +50,8 @@ std::vector<Plate> make_plates_of_the_paper() {
   register_components(registry);
   const ProblemDescription* kind = registry.find_problem("elastic");
   const Options options = resolve_options(kind->options, Value(), "problem");
-  const auto made = kind->make(options, {});
+  InputFiles files;
+  const auto made = kind->make(options, {files, {}});
   const auto problem = std::dynamic_pointer_cast<const elastic::ElasticProblem>(made);
   // Stiffnesses of a square lattice, from soft to stiff: close to what the optimizers find.
   std::vector<double> x = elastic::lattice_stiffness(problem->net(), problem->scene().material);

@@ -79,9 +79,6 @@ class Problem {
   /// How the problem was made, as data: into the manifest of a store and what `nodal evaluate --json` prints. An empty
   /// table when there is nothing to say.
   [[nodiscard]] virtual Value details() const { return {}; }
-  /// A hash of what determines the problem beyond its options: the contents of the files that they name. It is part of
-  /// every trial's key, so that a changed file makes new trials. Empty when options say it all.
-  [[nodiscard]] virtual std::string fingerprint() const { return {}; }
 
  protected:
   Problem() = default;

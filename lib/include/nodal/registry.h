@@ -6,7 +6,6 @@
 /// Each component folder has one function `void register_<folder>(Registry&)`; the build collects them.
 /// Threads  fill it first, then share it.
 
-#include <filesystem>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -15,6 +14,7 @@
 #include <vector>
 
 #include <nodal/dense_matrix.h>
+#include <nodal/input_files.h>
 #include <nodal/optimizer.h>
 #include <nodal/options.h>
 #include <nodal/problem.h>
@@ -42,9 +42,9 @@ struct OptimizerDescription {
   std::function<std::optional<Suitability>(const Problem&)> suits = {};
 };
 
-/// Where a problem of a study stands: relative files are looked up beside the study.
+/// Where a problem of a study stands, and its files.
 struct ProblemContext {
-  std::filesystem::path directory;
+  InputFiles& files;
   Source source;
 };
 

@@ -52,9 +52,9 @@ class Store {
   [[nodiscard]] std::optional<int> other_writer() const noexcept;
 
   /// The manifest as it stands: {schema, study: {name, text, file, directory}, problems: [{label, kind, options,
-  /// best_known}], optimizers: [{label, use, baseline, multi_start, deterministic}], left_out: […], keys: [the current
-  /// study's trials], runs: [{began, build, provenance}]}. But for the runs, whatever is there is of its right type.
-  /// Empty table for a new store.
+  /// inputs, best_known, details}], optimizers: [{label, use, baseline, multi_start, deterministic}], left_out: […],
+  /// keys: [the current study's trials], runs: [{began, build, provenance}]}. But for the runs, whatever is there is of
+  /// its right type. Empty table for a new store.
   [[nodiscard]] const Value& manifest() const noexcept;
 
   /// Writes a file of the store (report.html, …) atomically.

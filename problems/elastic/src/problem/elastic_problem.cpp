@@ -178,8 +178,6 @@ Value ElasticProblem::details() const {
   return details;
 }
 
-std::string ElasticProblem::fingerprint() const { return scene().files_hash; }
-
 std::vector<Stage> ElasticProblem::stages() const {
   const Scene& s = scene();
   const ElasticModel& model = data_->model;

@@ -210,7 +210,7 @@ Body read_rings(const Options& body, const ProblemContext& context, const std::s
   if (shape == "none") return {.name = "none", .rings = {}, .thickness = thickness, .corner_turn = corner_turn};
   if (shape == "file") {
     const std::filesystem::path file = body.text("file");
-    FileOutline outline = read_outline_file(context.directory / file);
+    FileOutline outline = read_outline_file(context.files, context.files.path(file));
     scale_rings(body, outline.rings);
     Body read =
         checked_body(std::move(outline.rings), file.filename().string(), thickness, corner_turn, outline.source);

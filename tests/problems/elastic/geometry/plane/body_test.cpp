@@ -323,7 +323,8 @@ TEST(Border, ListsItsNodesAlongEachRing) {
 // ────────────────────────────────────────────────────────────────────────────────────────────────────────────
 
 Body body_of(const std::string& json) {
-  return read_body(resolve_options(body_fields(), parse_json(json, "s.toml"), "'body'"), {}, "rectangle");
+  InputFiles files;
+  return read_body(resolve_options(body_fields(), parse_json(json, "s.toml"), "'body'"), {files, {}}, "rectangle");
 }
 
 std::string refusal(const std::string& json) {
