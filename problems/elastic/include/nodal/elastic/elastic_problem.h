@@ -98,6 +98,8 @@ class ElasticProblem final : public Problem {
   /// "voronoi": the iterations that spread the points; "masses": how well they have the body's moments; "supports":
   /// those of the plate's loads where the study doesn't say; "selections" and "findings" of the scene.
   [[nodiscard]] Value details() const override;
+  /// Its values are the stiffnesses of the springs.
+  [[nodiscard]] const Exhibit* exhibit() const override;
 
   [[nodiscard]] const Scene& scene() const noexcept;
   [[nodiscard]] const Net& net() const noexcept { return scene().net; }
