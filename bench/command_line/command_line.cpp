@@ -8,6 +8,7 @@
 #include <new>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <CLI/CLI.hpp>
 
 #include <nodal/error.h>
@@ -15,6 +16,7 @@
 
 #include "commands.h"
 #include "console.h"
+#include "problem_command.h"
 #include "usage_error.h"
 
 namespace nodal {
@@ -60,8 +62,7 @@ void add_problem_label(CLI::App& command, std::string& label) {
 }
 
 void add_picture(CLI::App& command, std::string& path) {
-  command.add_option("--picture", path, "Draw the system and its deformation under each load; for elastic problems")
-      ->type_name("FILE.svg");
+  command.add_option("--picture", path, "Draw the system, where its problem has a picture")->type_name("FILE.svg");
 }
 
 void add_repeats(CLI::App& command, StudyOverrides& overrides) {
@@ -115,7 +116,8 @@ void add_evaluate(CLI::App& app, const Registry& registry, int& exit) {
                   evaluate_command, registry, exit, to);
   add_study_path(command, to->study);
   add_problem_label(command, to->problem);
-  command.add_option("--stiffness", to->stiffness, "A stiffness file instead of the start; bounds don't apply to it")
+  command
+      .add_option("--stiffness,--values", to->values, "A stiffness file instead of the start; bounds don't apply to it")
       ->type_name("FILE");
   add_picture(command, to->picture);
   command.add_flag("--json", to->json, "Everything, displacements too, as JSON");
@@ -134,8 +136,8 @@ void add_fit(CLI::App& app, const Registry& registry, int& exit) {
           "A label of the study, or any optimizer, with the options of the study's entry that uses it if there is one")
       ->type_name("NAME");
   const auto prune = command.add_flag("--prune", to->prune,
-                                      "Leave out springs at the lower bound that the net can do without, fit the "
-                                      "others again, and say what that costs");
+                                      "Leave out what the system can do without (springs at the lower bound), fit "
+                                      "the rest again, and say what that costs");
   command
       .add_option("--prune-loss", to->prune_loss,
                   "How much larger --prune may make the error before the second fit, as a share of it (default: 0.01)")
@@ -166,20 +168,17 @@ void add_explain(CLI::App& app, const Registry& registry, int& exit) {
   add_budget(command, to->overrides);
 }
 
-void add_check(CLI::App& app, const Registry& registry, int& exit) {
-  const auto to = std::make_shared<CheckArguments>();
-  CLI::App& command = add_command(app, "check", "The stability battery: systems that are hard or impossible to solve",
-                                  check_command, registry, exit, to);
-  command.add_option("battery", to->battery, "A file of cases of your own")->type_name("FILE");
-  command.add_flag("--json", to->json, "Every row as JSON");
-}
-
 void add_list(CLI::App& app, const Registry& registry, int& exit) {
   const auto to = std::make_shared<ListArguments>();
   CLI::App& command = add_command(app, "list", "What this build has, with needs and options, and what it lacks",
                                   list_command, registry, exit, to);
-  command.add_option("what", to->what, "optimizers, problems, topologies or scenes; all when left out")
-      ->check(CLI::IsMember({"optimizers", "problems", "topologies", "scenes"}));
+  std::vector<std::string> lists = {"optimizers", "problems"};
+  for (const ProblemDescription& problem : registry.problems())
+    for (const Listing& listing : problem.listings) lists.push_back(listing.name);
+  lists.emplace_back("scenes");
+  const std::string all_but_last = fmt::format("{}", fmt::join(lists.begin(), lists.end() - 1, ", "));
+  command.add_option("what", to->what, fmt::format("{} or {}; all when left out", all_but_last, lists.back()))
+      ->check(CLI::IsMember(lists));
 }
 
 int run_command(const Registry& registry, int argc, const char* const* argv) {
@@ -191,7 +190,8 @@ int run_command(const Registry& registry, int argc, const char* const* argv) {
   add_fit(app, registry, exit);
   add_report(app, registry, exit);
   add_explain(app, registry, exit);
-  add_check(app, registry, exit);
+  for (const ProblemDescription& problem : registry.problems())
+    for (const Command& command : problem.commands) add_problem_command(app, command, registry, exit);
   add_list(app, registry, exit);
   try {
     app.parse(argc, argv);

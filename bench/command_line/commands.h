@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-/// What each command is told, and the command itself, which returns the exit code. How words become arguments is
-/// command_line.cpp's business; InputError and StoreError end there too.
+/// What each command of the program's own is told, and the command itself, which returns the exit code. How words
+/// become arguments is command_line.cpp's business; InputError and StoreError end there too.
 
 #include <string>
 #include <vector>
@@ -21,7 +21,7 @@ struct CompareArguments {
 };
 
 struct EvaluateArguments {
-  std::string study, problem, stiffness, picture;
+  std::string study, problem, values, picture;  ///< `values`: a file of them, instead of the start's
   bool json = false;
 };
 
@@ -43,13 +43,8 @@ struct ExplainArguments {
   StudyOverrides overrides;
 };
 
-struct CheckArguments {
-  std::string battery;  ///< a file of cases; the one that comes with the program when empty
-  bool json = false;
-};
-
 struct ListArguments {
-  std::string what;  ///< optimizers, problems, topologies, scenes, or all when empty
+  std::string what;  ///< optimizers, problems, scenes, a list of a problem's, or all when empty
 };
 
 int compare_command(const CompareArguments& arguments, const Registry& registry);
@@ -57,11 +52,9 @@ int evaluate_command(const EvaluateArguments& arguments, const Registry& registr
 int fit_command(const FitArguments& arguments, const Registry& registry);
 int report_command(const ReportArguments& arguments, const Registry& registry);
 int explain_command(const ExplainArguments& arguments, const Registry& registry);
-int check_command(const CheckArguments& arguments, const Registry& registry);
 int list_command(const ListArguments& arguments, const Registry& registry);
 
 inline constexpr int kExitTrialFailed = 1;
-inline constexpr int kExitCheckDiffers = 1;
 inline constexpr int kExitBadInput = 2;
 inline constexpr int kExitInterrupted = 130;
 inline constexpr int kExitReaderGone = 141;  ///< whoever read standard output went before its end

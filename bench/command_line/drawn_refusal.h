@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-/// Studies that are refused with a picture: of a mechanism, the nodes that move.
+/// Studies that are refused with a picture of what is wrong.
 
 #include <string>
 
@@ -9,8 +9,7 @@
 
 namespace nodal {
 
-/// read_study; when it refuses a net because its nodes can move, `picture` (unless empty) is written before the refusal
-/// goes on.
+/// read_study; when a refusal can be drawn (DrawnInputError), `picture` (unless empty) is written before it goes on.
 [[nodiscard]] Study read_study_or_draw(const std::string& path, const Registry& registry,
                                        const StudyOverrides& overrides, const std::string& picture);
 

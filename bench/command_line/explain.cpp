@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include <nodal/elastic/determination.h>
+#include <nodal/exhibit.h>
 #include <nodal/trial.h>
 
 #include "commands.h"
@@ -36,10 +36,8 @@ void explain_problem(const StudyProblem& entry) {
     std::cout << fmt::format("  best known: quality {:.10g} ({})\n", entry.best_known->quality,
                              entry.best_known->origin);
   for (const std::string& remark : problem.remarks()) std::cout << "  note: " << remark << '\n';
-  if (const auto* elastic = dynamic_cast<const elastic::ElasticProblem*>(&problem)) {
-    const std::string text = elastic::describe(elastic::determine(*elastic, elastic->start_stiffness()), *elastic);
-    if (!text.empty()) std::cout << "  note: " << text << '\n';
-  }
+  const std::shared_ptr<const Exhibit> exhibit = exhibit_of(problem);
+  for (const std::string& note : exhibit->notes_at(exhibit->start())) std::cout << "  note: " << note << '\n';
   std::cout << '\n';
 }
 

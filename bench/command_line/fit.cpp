@@ -1,27 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <unistd.h>
 
+#include <algorithm>
 #include <iostream>
 #include <memory>
 
 #include <fmt/format.h>
 
-#include <nodal/elastic/determination.h>
-#include <nodal/elastic/elastic_problem.h>
-#include <nodal/elastic/pruning.h>
-#include <nodal/elastic/stiffness.h>
+#include <nodal/exhibit.h>
 #include <nodal/file.h>
+#include <nodal/show/at_bounds.h>
 #include <nodal/trial.h>
 
-#include "at_bounds.h"
 #include "commands.h"
 #include "drawn_refusal.h"
 #include "fit_clock.h"
 #include "fit_method.h"
 #include "output_file.h"
 #include "progress.h"
-#include "report/picture_svg.h"
-#include "report/plates.h"
 #include "study_problem.h"
 
 namespace nodal {
@@ -30,21 +26,15 @@ namespace {
 
 constexpr double kDefaultSeconds = 60.0;
 
-const elastic::ElasticProblem* as_elastic(const StudyProblem& entry) {
-  return dynamic_cast<const elastic::ElasticProblem*>(entry.problem.get());
-}
-
 // Before a long fit, not after it.
-void refuse_outputs(const FitArguments& arguments, const StudyProblem& entry) {
-  if (!arguments.out.empty()) refuse_no_system("--export", arguments.out);
-  if (!arguments.picture.empty()) refuse_no_picture("--picture", arguments.picture);
-  if (as_elastic(entry)) return;
-  if (!arguments.picture.empty())
-    throw InputError(Source{"--picture", 0},
-                     fmt::format("problem '{}' has no springs to draw; it is for elastic problems", entry.label));
-  if (arguments.prune)
-    throw InputError(Source{"--prune", 0},
-                     fmt::format("problem '{}' has no springs to leave out; it is for elastic problems", entry.label));
+ExportFormat refuse_outputs(const FitArguments& arguments, const std::string& label, const Exhibit& exhibit) {
+  const std::vector<ExportFormat> formats = exhibit.formats();
+  ExportFormat format = formats.at(0);
+  if (!arguments.out.empty()) format = export_format("--export", arguments.out, formats);
+  if (!arguments.picture.empty()) refuse_picture_of("--picture", arguments.picture, label, exhibit);
+  if (arguments.prune && !exhibit.reduces())
+    throw InputError(Source{"--prune", 0}, fmt::format("problem '{}' has nothing to leave out", label));
+  return format;
 }
 
 // The budget of a fit, and who chose it.
@@ -66,13 +56,24 @@ TrialRecord run_shown(const Study& study, std::size_t problem, const Registry& r
   return run_trial(study, {problem, 0, 0}, registry);
 }
 
-void say_result(const TrialRecord& record, const Problem& problem, const Registry& registry) {
+std::string findings_text(const std::vector<Finding>& found, const std::vector<FindingDescription>& known) {
+  std::string text;
+  for (const Finding& finding : found) {
+    const auto description = std::ranges::find(known, finding.name, &FindingDescription::name);
+    if (description == known.end()) continue;
+    text += fmt::format("; {} {:.4g}{}", description->title, finding.value,
+                        description->unit.empty() ? "" : " " + description->unit);
+  }
+  return text;
+}
+
+void say_result(const TrialRecord& record, const StudyProblem& entry, const Registry& registry) {
   // How long a fit took matters where the clock has ended it.
   std::cerr << trial_line(record, record.end == End::budget) << '\n';
   if (!record.best) return;
-  std::string text = ending_text(record, problem, registry);
-  if (record.health.spread) text += fmt::format("; k_max/k_min {:.4g}", *record.health.spread);
-  std::cerr << fmt::format("{}; {}\n", text, at_bounds_text(problem.space(), record.best->x));
+  std::cerr << fmt::format("{}{}; {}\n", ending_text(record, *entry.problem, registry),
+                           findings_text(record.health.findings, registry.find_problem(entry.kind)->findings),
+                           at_bounds_text(entry.problem->space(), record.best->x));
 }
 
 void write_fitted(const FitArguments& arguments, const std::string& text) {
@@ -90,96 +91,86 @@ void write_fitted(const FitArguments& arguments, const std::string& text) {
   std::cerr << fmt::format("written: {}\n", arguments.out);
 }
 
-// False where the fitted system can't be solved, and so not drawn.
-bool write_picture(const FitArguments& arguments, const elastic::ElasticProblem& problem,
-                   std::span<const double> stiffness, const std::string& label, const std::string& title) {
-  const elastic::State state = problem.solve(stiffness);
-  if (state.status != Status::ok) {
-    std::cerr << fmt::format("nodal: no picture: the fitted system of '{}' has no equilibrium\n", label);
+// What was fitted, and what it is called in a picture.
+struct FittedSystem {
+  std::shared_ptr<const Problem> problem;
+  std::vector<double> values;
+  std::string title;
+
+  [[nodiscard]] std::shared_ptr<const Exhibit> exhibit() const { return exhibit_of(*problem); }
+};
+
+// False where the fitted system can't be evaluated, and so not drawn.
+bool write_picture(const FitArguments& arguments, const std::string& label, const FittedSystem& fitted) {
+  const std::shared_ptr<const Exhibit> exhibit = fitted.exhibit();
+  const std::unique_ptr<ShownSystem> system = exhibit->show(label, fitted.values);
+  if (const std::string failure = system->failure(); !failure.empty()) {
+    std::cerr << fmt::format("nodal: no picture of '{}' as it was fitted: {}\n", label, failure);
     return false;
   }
-  replace_file(arguments.picture, report::picture_svg(report::make_plate(problem, stiffness, state, label, title)));
+  replace_file(arguments.picture, system->picture(fitted.title));
   std::cerr << fmt::format("written: {}\n", arguments.picture);
   return true;
 }
 
-// The springs that a fit leaves arbitrary.
-void say_undetermined(const elastic::ElasticProblem& problem, std::span<const double> stiffness) {
-  const std::string text = elastic::describe(elastic::determine(problem, stiffness), problem);
-  if (!text.empty()) std::cerr << "note: " << text << '\n';
-}
-
-struct FittedSystem {
-  std::shared_ptr<const Problem> problem;
-  std::vector<double> stiffness;
-  std::string title;
-
-  [[nodiscard]] const elastic::ElasticProblem& elastic() const {
-    return dynamic_cast<const elastic::ElasticProblem&>(*problem);
-  }
-};
-
-// Leaves out soft springs within the limit of loss, and fits what stays again from where it is, with the same budget.
-// False when the second fit failed.
+// Leaves out what does little within the limit of loss, and fits what stays again from where it is, with the same
+// budget. False when the second fit failed.
 bool prune_and_refit(const FitArguments& arguments, Study study, std::size_t problem, const Registry& registry,
                      FittedSystem& fitted) {
-  const elastic::Pruned pruned = elastic::prune(fitted.elastic(), fitted.stiffness, arguments.prune_loss);
-  std::cerr << fmt::format("pruned: {}\n", elastic::describe(pruned));
+  const Reduced reduced = fitted.exhibit()->reduce(fitted.values, arguments.prune_loss);
+  std::cerr << fmt::format("pruned: {}\n", reduced.text);
   fitted.title += ", pruned";
-  if (pruned.removed.empty()) return true;
-  fitted.problem = pruned.problem;
-  fitted.stiffness = pruned.stiffness;
-  study.problems[problem].problem = pruned.problem;
+  if (!reduced.problem) return true;
+  fitted.problem = reduced.problem;
+  fitted.values = reduced.values;
+  study.problems[problem].problem = reduced.problem;
   const TrialRecord record = run_shown(study, problem, registry);
   std::cerr << "fitted again: ";
-  say_result(record, *pruned.problem, registry);
-  if (record.best) fitted.stiffness = pruned.problem->stiffness(record.best->x);
+  say_result(record, study.problems[problem], registry);
+  if (record.best) fitted.values = fitted.exhibit()->values(record.best->x);
   return record.end != End::failed;
 }
 
-// Exports and draws. False where it can't be drawn.
-bool write_system(const FitArguments& arguments, const std::string& label, const FittedSystem& fitted) {
-  write_fitted(arguments, elastic::system_json(fitted.elastic(), fitted.stiffness));
-  return arguments.picture.empty() || write_picture(arguments, fitted.elastic(), fitted.stiffness, label, fitted.title);
+void say(const std::vector<std::string>& notes) {
+  for (const std::string& note : notes) std::cerr << fmt::format("note: {}\n", note);
 }
 
-// The point of a problem that the program knows nothing special of.
-void write_point(const FitArguments& arguments, const Problem& problem, const std::vector<double>& x) {
-  Value table;
-  for (std::size_t i = 0; i < x.size(); ++i) table.set(problem.space().name(i), x[i]);
-  write_fitted(arguments, to_json(table));
+// Which method, for how long, and what is odd about the problem.
+void say_plan(const StudyProblem& entry, const FitMethod& method, const std::string& budget, const Exhibit& exhibit) {
+  std::cerr << fmt::format("{} ({} coordinates) with {}: {}; {}\n", entry.label, entry.problem->space().size(),
+                           method.optimizer.label, method.why, budget);
+  say(exhibit.notes());
+}
+
+FitMethod method_of(const FitArguments& arguments, const Problem& problem, const Study& study,
+                    const Registry& registry) {
+  const FitMethod method =
+      arguments.with.empty() ? choose_method(problem, study, registry) : named_method(arguments.with, study, registry);
+  refuse_what_it_lacks(problem, method.optimizer, registry);
+  return method;
 }
 
 }  // namespace
 
 int fit_command(const FitArguments& arguments, const Registry& registry) {
   Study study = read_study_or_draw(arguments.study, registry, arguments.overrides, arguments.picture);
-  const std::size_t problem_index = find_problem(study, arguments.problem);
-  const StudyProblem& entry = study.problems[problem_index];
+  const std::size_t index = find_problem(study, arguments.problem);
+  const StudyProblem& entry = study.problems[index];
   if (const std::string refusal = entry.problem->fit_refusal(); !refusal.empty()) throw InputError(refusal);
-  const FitMethod method = arguments.with.empty() ? choose_method(*entry.problem, study, registry)
-                                                  : named_method(arguments.with, study, registry);
-  refuse_what_it_lacks(*entry.problem, method.optimizer, registry);
-  refuse_outputs(arguments, entry);
+  const FitMethod method = method_of(arguments, *entry.problem, study, registry);
+  const std::shared_ptr<const Exhibit> exhibit = exhibit_of(*entry.problem);
+  const ExportFormat format = refuse_outputs(arguments, entry.label, *exhibit);
   study.optimizers = {method.optimizer};
-  const std::string budget = choose_budget(study, arguments.overrides);
-  std::cerr << fmt::format("{} ({} coordinates) with {}: {}; {}\n", entry.label, entry.problem->space().size(),
-                           method.optimizer.label, method.why, budget);
-  if (const elastic::ElasticProblem* problem = as_elastic(entry))
-    for (const std::string& finding : problem->scene().findings) std::cerr << fmt::format("note: {}\n", finding);
+  say_plan(entry, method, choose_budget(study, arguments.overrides), *exhibit);
 
-  const TrialRecord record = run_shown(study, problem_index, registry);
-  say_result(record, *entry.problem, registry);
+  const TrialRecord record = run_shown(study, index, registry);
+  say_result(record, entry, registry);
   if (!record.best) return kExitTrialFailed;
-  bool drawn = true, refitted = true;
-  if (const elastic::ElasticProblem* problem = as_elastic(entry)) {
-    FittedSystem fitted{entry.problem, problem->stiffness(record.best->x), "fitted by " + method.optimizer.label};
-    say_undetermined(*problem, fitted.stiffness);
-    if (arguments.prune) refitted = prune_and_refit(arguments, study, problem_index, registry, fitted);
-    drawn = write_system(arguments, entry.label, fitted);
-  } else {
-    write_point(arguments, *entry.problem, record.best->x);
-  }
+  FittedSystem fitted{entry.problem, exhibit->values(record.best->x), "fitted by " + method.optimizer.label};
+  say(exhibit->notes_at(fitted.values));
+  const bool refitted = !arguments.prune || prune_and_refit(arguments, study, index, registry, fitted);
+  write_fitted(arguments, fitted.exhibit()->write(format, fitted.values));
+  const bool drawn = arguments.picture.empty() || write_picture(arguments, entry.label, fitted);
   return record.end == End::failed || !refitted || !drawn ? kExitTrialFailed : 0;
 }
 

@@ -6,8 +6,6 @@
 
 #include <fmt/format.h>
 
-#include <nodal/elastic/net.h>
-
 #include "commands.h"
 #include "scenes.h"
 
@@ -68,13 +66,6 @@ void list_problems(const Registry& registry) {
   }
 }
 
-void list_topologies() {
-  for (const elastic::Topology& topology : elastic::topologies())
-    std::cout << fmt::format("{}: {}{}\n", topology.name,
-                             topology.lacks.empty() ? topology.summary : "not here: it needs " + topology.lacks,
-                             topology.mechanism ? " (a mechanism: refused)" : "");
-}
-
 // The first comment of a study says what it is.
 std::string first_comment(const fs::path& path) {
   std::ifstream in(path);
@@ -108,7 +99,11 @@ int list_command(const ListArguments& arguments, const Registry& registry) {
   };
   section("optimizers", [&] { list_optimizers(registry); });
   section("problems", [&] { list_problems(registry); });
-  section("topologies", list_topologies);
+  for (const ProblemDescription& problem : registry.problems())
+    for (const Listing& listing : problem.listings)
+      section(listing.name.c_str(), [&] {
+        for (const std::string& line : listing.lines) std::cout << line << '\n';
+      });
   section("scenes", list_scenes);
   return 0;
 }

@@ -4,9 +4,12 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <nodal/error.h>
 #include <nodal/file.h>
@@ -29,16 +32,42 @@ void refuse_no_picture(const std::string& option, const std::string& path) {
   refuse_unwritable(option, path);
 }
 
-void refuse_no_system(const std::string& option, const std::string& path) {
+void refuse_picture_of(const std::string& option, const std::string& path, const std::string& label,
+                       const Exhibit& exhibit) {
+  refuse_no_picture(option, path);
+  if (!exhibit.draws()) throw InputError(Source{option, 0}, fmt::format("problem '{}' has no picture", label));
+}
+
+namespace {
+
+bool may_have_any_name(const std::string& path) {
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
-  const bool special =
-      path.starts_with("/dev/") || (fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status));
-  if (!special && extension_of(path) != ".json")
-    throw InputError(
-        Source{option, 0},
-        fmt::format("'{}' doesn't end in .json; what is fitted is written as JSON, e.g. fitted.json", path));
+  return path.starts_with("/dev/") || (fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status));
+}
+
+[[noreturn]] void refuse_format(const std::string& option, const std::string& path,
+                                std::span<const ExportFormat> formats) {
+  std::vector<std::string> extensions, summaries;
+  for (const ExportFormat& format : formats) {
+    extensions.push_back(format.extension);
+    summaries.push_back(format.summary);
+  }
+  throw InputError(Source{option, 0},
+                   fmt::format("'{}' doesn't end in {}; what is fitted is written as {}, e.g. fitted{}", path,
+                               fmt::join(extensions, " or "), fmt::join(summaries, " or "), extensions.front()));
+}
+
+}  // namespace
+
+ExportFormat export_format(const std::string& option, const std::string& path, std::span<const ExportFormat> formats) {
+  auto found = std::ranges::find(formats, extension_of(path), &ExportFormat::extension);
+  if (found == formats.end() && may_have_any_name(path)) found = formats.begin();
+  if (found == formats.end()) refuse_format(option, path, formats);
+  if (!found->lacks.empty())
+    throw InputError(Source{option, 0}, fmt::format("writing '{}' as {} needs {}", path, found->summary, found->lacks));
   refuse_unwritable(option, path);
+  return *found;
 }
 
 bool is_standard_output(const std::string& path) {

@@ -13,11 +13,9 @@
 
 #include <nodal/agreement.h>
 #include <nodal/child_process.h>
+#include <nodal/exhibit.h>
 #include <nodal/file.h>
 #include <nodal/toml.h>
-
-#include "report/html.h"
-#include "report/plates.h"
 
 namespace nodal {
 
@@ -25,25 +23,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::size_t kMostPlateSprings = 4000;
-// A net that can't move has at least 2n − 3 springs; of a grid that is clipped to a body most nodes may go.
-constexpr double kMostNodes = kMostPlateSprings, kMostGridNodes = 10.0 * kMostPlateSprings;
-constexpr double kMostVoronoiSteps = 1e7;  // points times iterations: some ten seconds
 constexpr std::chrono::seconds kPatience(20);
 
 // ── what a study from a store may ask for ──
-
-void refuse_large(const Value& points) {
-  double grid = 1.0;
-  if (const Value* counts = points.find("counts"); counts && counts->is_list())
-    for (const Value& count : counts->list()) grid *= count.is_number() ? count.number() : 1.0;
-  const double total = points.number_or("total", 0.0), steps = total * points.number_or("iterations", 0.0);
-  if (grid > kMostGridNodes || total > kMostNodes)
-    throw InputError(fmt::format("{:.0f} nodes are too many for a picture", std::max(grid, total)));
-  if (steps > kMostVoronoiSteps)
-    throw InputError(fmt::format("{:.0f} points, iterated {:.0f} times, take too long for a picture", total,
-                                 points.number_or("iterations", 0.0)));
-}
 
 void refuse_file(const std::string& name, const fs::path& folder) {
   std::error_code error;
@@ -79,12 +61,13 @@ void refuse_another_study(const fs::path& path, const std::string& text) {
         fmt::format("the study names files, and '{}' is not the study that the store was made of", path.string()));
 }
 
-void refuse_costly(const Value& study) {
+void refuse_costly(const Value& study, const Registry& registry) {
   const Value* found = study.find("problem");
   if (!found) return;
   for (const Value& problem : found->is_list() ? found->list() : Value::List{*found}) {
-    const Value* points = problem.is_table() ? problem.find("points") : nullptr;
-    if (points && points->is_table()) refuse_large(*points);
+    const ProblemDescription* kind = problem.is_table() ? registry.find_problem(problem.text_or("kind", "")) : nullptr;
+    if (!kind || !kind->too_costly_to_draw) continue;
+    if (const std::string why = kind->too_costly_to_draw(problem); !why.empty()) throw InputError(why);
   }
 }
 
@@ -98,32 +81,49 @@ void refuse_strange_files(const Value& study, const fs::path& folder, const fs::
 // ── pictures ──
 
 // A store keeps its trials when the files that its study names change; a point of theirs is none of what they hold now.
-void refuse_another_system(const elastic::ElasticProblem& problem, const std::string& label,
-                           const report::BestOfAll& best) {
-  const auto refuse = [&label](const std::string& what) {
-    throw InputError(
-        fmt::format("the best trial of '{}' is of another system than the study and its files now: {}", label, what));
+void refuse_another_system(const StudyProblem& entry, const report::ProblemReport& own) {
+  const auto refuse = [&entry](const std::string& what) {
+    throw InputError(fmt::format("the best trial of '{}' is of another system than the study and its files now: {}",
+                                 entry.label, what));
   };
+  const report::BestOfAll& best = *own.best;
+  const Problem& problem = *entry.problem;
   if (best.x.size() != problem.space().size())
     refuse(fmt::format("{} coordinates, not {}", best.x.size(), problem.space().size()));
-  const elastic::State state = problem.solve(problem.stiffness(best.x));
-  const double seen = best.quality / problem.quality(0.5);  // as an error: a cost of 1/2 is one of 1
-  const double error = state.relative_error;
-  if (state.status != Status::ok || !(std::abs(seen - error) <= kLargestContradiction * error + kRaceAccuracy))
-    refuse(fmt::format("G was {:.6g} at its best point and is {:.6g}", best.quality, state.quality));
+  const Evaluation now = problem.make_evaluator()->audit(best.x);
+  const double seen = std::sqrt(2.0 * std::abs(best.cost.value_or(0.0))), error = std::sqrt(2.0 * std::abs(now.cost));
+  if (!now.ok() || (best.cost && !(std::abs(seen - error) <= kLargestContradiction * error + kRaceAccuracy)))
+    refuse(fmt::format("{} was {:.6g} at its best point and is {:.6g}", own.quality_name, best.quality,
+                       now.ok() ? problem.quality(now.cost) : 0.0));
+  if (!own.fingerprint.empty() && own.fingerprint != entry.fingerprint)
+    refuse("the files that the study names hold something else");
 }
 
-std::string picture_of(const StudyProblem& problem, const report::ReportData& data) {
-  const auto* elastic = dynamic_cast<const elastic::ElasticProblem*>(problem.problem.get());
-  if (!elastic || elastic->net().springs.size() > kMostPlateSprings) return {};
+// Before and after: the start and the best point of the report.
+ReportPart picture_of(const StudyProblem& entry, const report::ReportData& data) {
   const auto own = std::ranges::find_if(
-      data.problems, [&](const report::ProblemReport& p) { return p.table.reference.label == problem.label; });
-  if (own == data.problems.end()) return {};
-  if (own->best) refuse_another_system(*elastic, problem.label, *own->best);
-  return report::plates_html(report::make_plates(*elastic, *own));
+      data.problems, [&](const report::ProblemReport& p) { return p.table.reference.label == entry.label; });
+  if (own == data.problems.end() || !own->best) return {};
+  refuse_another_system(entry, *own);
+  const std::span<const double> start = entry.problem->space().start();
+  const std::vector<LabelledPoint> points = {{"start", {start.begin(), start.end()}},
+                                             {"best: " + own->best->optimizer, own->best->x}};
+  return exhibit_of(*entry.problem)->report(entry.label, points);
 }
 
-// {"pictures": {label: HTML}}, or {"refused": why}.
+Value to_value(const ReportPart& part) {
+  Value table;
+  table.set("html", part.html);
+  table.set("style", part.style);
+  table.set("script", part.script);
+  return table;
+}
+
+ReportPart to_part(const Value& table) {
+  return {table.at("html").text(), table.at("style").text(), table.at("script").text()};
+}
+
+// {"pictures": {label: {html, style, script}}}, or {"refused": why}.
 std::string stored_pictures(const Value& study, const Registry& registry, const report::ReportData& data) {
   Value answer;
   try {
@@ -131,11 +131,11 @@ std::string stored_pictures(const Value& study, const Registry& registry, const 
     const std::string& text = study.at("text").text();
     const fs::path path = folder / fs::path(study.at("file").text()).filename();
     const Value parsed = parse_toml(text, path.string());
-    refuse_costly(parsed);
+    refuse_costly(parsed, registry);
     refuse_strange_files(parsed, folder, path, text);
     Value pictures;
     for (const StudyProblem& problem : parse_study(text, path, registry).problems)
-      if (!data.pictures.contains(problem.label)) pictures.set(problem.label, picture_of(problem, data));
+      if (!data.pictures.contains(problem.label)) pictures.set(problem.label, to_value(picture_of(problem, data)));
     answer.set("pictures", std::move(pictures));
   } catch (const std::exception& error) {
     answer.set("refused", error.what());
@@ -161,9 +161,9 @@ std::string wait_for(ChildProcess& child) {
 }  // namespace
 
 void add_pictures(const Study& study, report::ReportData& data) {
-  std::map<std::string, std::string> pictures;
+  std::map<std::string, ReportPart> pictures;
   for (const StudyProblem& problem : study.problems)
-    if (std::string picture = picture_of(problem, data); !picture.empty())
+    if (ReportPart picture = picture_of(problem, data); !picture.empty())
       pictures.emplace(problem.label, std::move(picture));
   data.pictures.merge(pictures);
 }
@@ -175,7 +175,7 @@ void add_stored_pictures(const Store& store, const Registry& registry, report::R
   const Value answer = parse_json(wait_for(child), "pictures");
   if (const Value* refused = answer.find("refused")) throw InputError(refused->text());
   for (const auto& [label, picture] : answer.at("pictures").table())
-    if (!picture.text().empty()) data.pictures.emplace(label, picture.text());
+    if (ReportPart part = to_part(picture); !part.empty()) data.pictures.emplace(label, std::move(part));
 }
 
 }  // namespace nodal

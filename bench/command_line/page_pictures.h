@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-/// Pictures of elastic systems for the page: the start and the best point of each problem.
-///
-/// Only of nets with at most 4,000 springs: a picture of more is grey, and the page grows by megabytes.
+/// Pictures for the page: the start and the best point of each problem whose exhibit draws them.
 
 #include <nodal/study.h>
 
@@ -16,8 +14,8 @@ namespace nodal {
 void add_pictures(const Study& study, report::ReportData& data);
 
 /// Of a study as a store keeps it. It may be anybody's, so its problems are built again in a child process that has 20
-/// seconds, and only where the net is small by the study's own figures and every file that it names is a regular one
-/// below the study's folder. InputError says why there are no pictures, as above or by any of these.
+/// seconds, and only where the study's own figures are small (too_costly_to_draw) and every file that it names is a
+/// regular one below the study's folder. InputError says why there are no pictures, as above or by any of these.
 void add_stored_pictures(const Store& store, const Registry& registry, report::ReportData& data);
 
 }  // namespace nodal

@@ -40,7 +40,7 @@ void add_or_say(const Store& store, report::ReportData& data, Add add) {
 }  // namespace
 
 void write_report(std::span<const Store> stores, const Registry& registry, Store& target, const Study* study) {
-  report::ReportData data = report::collect(stores);
+  report::ReportData data = report::collect(stores, registry);
   if (study)
     add_or_say(target, data, [&] { add_pictures(*study, data); });
   else

@@ -5,8 +5,10 @@
 
 #include <fmt/format.h>
 
-#include "html.h"
-#include "number_text.h"
+#include <nodal/show/html.h>
+#include <nodal/show/number_text.h>
+
+#include "page_parts.h"
 
 namespace nodal::report {
 
@@ -78,6 +80,7 @@ Value chart_value(const ProblemReport& problem, std::span<const Axis> axes) {
   value.set("axes", names);
   if (sane(reference.best_quality)) value.set("best", reference.best_quality);
   value.set("provisional", reference.provisional);
+  value.set("quality", problem.quality_name);
   // A start at G* has no gap to be measured in.
   const bool has_gaps = !problem.table.start_is_best && !reference.unimproved;
   if (const auto& start = problem.table.start_quality; start && sane(*start) && has_gaps) value.set("start", *start);
@@ -100,7 +103,7 @@ std::string controls(const ProblemReport& problem, std::size_t index, std::span<
   }
   text += "</fieldset><fieldset><legend>Show</legend>";
   text += radio(index, "height", "error", problem.error_per_quality ? "relative error" : "quality", true);
-  text += radio(index, "height", "gap", "gap to G*", false);
+  text += radio(index, "height", "gap", ("gap to " + problem.quality_name + "*").c_str(), false);
   return text + "</fieldset></div>\n";
 }
 

@@ -4,10 +4,10 @@
 
 #include <fmt/format.h>
 
+#include <nodal/show/number_text.h>
 #include <nodal/shown.h>
 
 #include "left_out.h"
-#include "number_text.h"
 #include "report.h"
 #include "table.h"
 
@@ -89,7 +89,7 @@ std::string console_table(const ReportData& data, std::size_t width) {
     text += printable(fmt::format("Failed: {} on {}, repeat {}, {}: {}", trial.optimizer, trial.problem, trial.repeat,
                                   to_string(trial.end), trial.reason)) +
             "\n";
-  for (const std::string& sentence : table_legend()) text += sentence + "\n";
+  for (const std::string& sentence : table_legend(data.problems)) text += sentence + "\n";
   return text;
 }
 

@@ -3,8 +3,10 @@
 
 #include <fmt/format.h>
 
-#include "html.h"
-#include "number_text.h"
+#include <nodal/show/html.h>
+#include <nodal/show/number_text.h>
+
+#include "page_parts.h"
 #include "report.h"
 #include "table.h"
 
@@ -42,13 +44,13 @@ std::string problem_html(const ReportData& data, std::size_t index) {
   const auto pictures = data.pictures.find(problem.table.reference.label);
   return "<section class=\"problem\">\n<h2>" + escape_html(problem.table.reference.label) + "</h2>\n" +
          paragraph(describe_reference(problem) + ".") + chart_html(problem, index) + table_html(problem) +
-         (pictures == data.pictures.end() ? std::string() : pictures->second) + details_html(problem.details) +
+         (pictures == data.pictures.end() ? std::string() : pictures->second.html) + problem.details.html +
          "</section>\n";
 }
 
-std::string how_to_read() {
+std::string how_to_read(const ReportData& data) {
   std::string text = "<section><h2>How to read this</h2>\n<ul>\n";
-  for (const std::string& sentence : table_legend()) text += "<li>" + escape_html(sentence) + "</li>\n";
+  for (const std::string& sentence : table_legend(data.problems)) text += "<li>" + escape_html(sentence) + "</li>\n";
   text +=
       "<li>Quartiles: a quarter of the trials ended below the first figure, a quarter above the second.</li>\n"
       "<li>An evaluation is one cost seen at one point; a derivative at that point is counted as work only.</li>\n"
@@ -103,9 +105,32 @@ std::string provenance_html(const ReportData& data) {
   return text + "</section>\n";
 }
 
-bool has_charts(const ReportData& data) {
-  return std::ranges::any_of(
-      data.problems, [](const ProblemReport& p) { return !p.curves.empty() || p.details.iterations.size() > 1; });
+// What the parts of a page need, each text once.
+std::vector<std::string> needed_by_parts(const ReportData& data, std::string ReportPart::*member) {
+  std::vector<std::string> texts;
+  const auto add = [&](const ReportPart& part) {
+    const std::string& text = part.*member;
+    if (!part.empty() && !text.empty() && std::ranges::find(texts, text) == texts.end()) texts.push_back(text);
+  };
+  for (const ProblemReport& problem : data.problems) {
+    if (const auto found = data.pictures.find(problem.table.reference.label); found != data.pictures.end())
+      add(found->second);
+    add(problem.details);
+  }
+  return texts;
+}
+
+std::string scripts_html(const ReportData& data) {
+  const std::vector<std::string> of_parts = needed_by_parts(data, &ReportPart::script);
+  const bool races = std::ranges::any_of(data.problems, [](const ProblemReport& p) { return !p.curves.empty(); });
+  if (!races && of_parts.empty()) return {};
+  std::string text = "<script>\n";
+  text += vega_js();
+  text += "</script>\n<script>\n";
+  text += charts_js();
+  text += report_js();
+  for (const std::string& script : of_parts) text += script;
+  return text + "</script>\n";
 }
 
 }  // namespace
@@ -113,24 +138,15 @@ bool has_charts(const ReportData& data) {
 std::string report_html(const ReportData& data) {
   std::string body = headline(data) + warnings_html(data);
   for (std::size_t i = 0; i < data.problems.size(); ++i) body += problem_html(data, i);
-  body += how_to_read() + failures_html(data) + provenance_html(data);
+  body += how_to_read(data) + failures_html(data) + provenance_html(data);
   std::string page =
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" +
       escape_html(data.study_name.empty() ? "nodal" : data.study_name + " – nodal") + "</title>\n<style>\n";
   page += report_css();
-  page += picture_css();
+  for (const std::string& style : needed_by_parts(data, &ReportPart::style)) page += style;
   page += "</style>\n</head>\n<body>\n<main>\n" + body + "</main>\n";
-  if (has_charts(data)) {
-    page += "<script>\n";
-    page += vega_js();
-    page += "</script>\n<script>\n";
-    page += charts_js();
-    page += report_js();
-    page += voronoi_js();
-    page += "</script>\n";
-  }
-  return page + "</body>\n</html>\n";
+  return page + scripts_html(data) + "</body>\n</html>\n";
 }
 
 }  // namespace nodal::report

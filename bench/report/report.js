@@ -62,7 +62,7 @@
     };
     if (data.best !== undefined && data.start !== undefined && data.start > data.best)
       list.gap = {
-        title: "gap to G*",
+        title: `gap to ${data.quality}*`,
         of: (quality) => (quality - data.best) / (data.start - data.best),
         floor: SMALLEST_GAP,
         rule: null,

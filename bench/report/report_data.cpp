@@ -25,7 +25,8 @@ struct NamedProblem {
   Value options;
   std::optional<KnownOptimum> best_known;
   std::string store;
-  SystemDetails details;
+  Value details;
+  std::string fingerprint;  // empty where an older build didn't say it, or there are no files
 };
 
 std::optional<KnownOptimum> known_of(const Value& problem) {
@@ -56,7 +57,7 @@ class Collection {
   void add_unnamed() {
     for (const TrialRecord& record : records) {
       if (std::ranges::find(problems, record.problem, &NamedProblem::label) == problems.end())
-        problems.push_back({record.problem, "", {}, std::nullopt, "", {}});
+        problems.push_back({record.problem, "", {}, std::nullopt, "", {}, ""});
       if (std::ranges::find(optimizers, record.optimizer, &RowRequest::label) == optimizers.end())
         optimizers.push_back({record.optimizer, record.use, false, false});
     }
@@ -86,8 +87,9 @@ class Collection {
   }
 
   void add_problem(const Value& problem, const std::string& directory) {
-    NamedProblem named{problem.text_or("label", ""), problem.text_or("kind", ""), {}, known_of(problem), directory,
-                       read_details(problem)};
+    NamedProblem named{problem.text_or("label", ""), problem.text_or("kind", ""), {}, known_of(problem), directory, {},
+                       problem.text_or("inputs", "")};
+    if (const Value* details = problem.find("details"); details && details->is_table()) named.details = *details;
     if (const Value* options = problem.find("options")) named.options = *options;
     const auto same = std::ranges::find(problems, named.label, &NamedProblem::label);
     if (same == problems.end()) {
@@ -99,9 +101,20 @@ class Collection {
           fmt::format("'{}' and '{}' mean different problems by the label '{}'; give the problems of one of the "
                       "studies another label",
                       same->store, directory, named.label));
+    refuse_other_files(*same, named);
     if (!same->best_known) same->best_known = named.best_known;
-    if (same->details.iterations.empty()) same->details.iterations = std::move(named.details.iterations);
-    if (!same->details.masses) same->details.masses = std::move(named.details.masses);
+    for (const auto& [key, value] : named.details.table())
+      if (!same->details.find(key)) same->details.set(key, value);
+  }
+
+  // Manifests of older builds don't say what the files held.
+  static void refuse_other_files(NamedProblem& first, const NamedProblem& other) {
+    if (first.fingerprint.empty()) first.fingerprint = other.fingerprint;
+    if (!other.fingerprint.empty() && other.fingerprint != first.fingerprint)
+      throw InputError(
+          fmt::format("'{}' and '{}' are of different files by the names that problem '{}' gives them; their figures "
+                      "don't compare: run one of the studies again, or report them apart",
+                      first.store, other.store, first.label));
   }
 
   void add_optimizer(const Value& optimizer) {
@@ -157,7 +170,7 @@ std::optional<BestOfAll> best_of(std::span<const TrialRecord* const> records) {
   for (const TrialRecord* r : records)
     if (r->best && r->best->summary.quality && !r->best->x.empty() &&
         (!best || *r->best->summary.quality < best->quality))
-      best = {r->optimizer, r->repeat, *r->best->summary.quality, r->best->x};
+      best = {r->optimizer, r->repeat, *r->best->summary.quality, r->best->x, r->best->summary.cost};
   return best;
 }
 
@@ -168,18 +181,35 @@ OptimizerCurves curves_of(const std::string& optimizer, std::span<const TrialRec
   return curves;
 }
 
-ProblemReport make_problem(const NamedProblem& named, const Collection& all) {
+// What the kind says of its findings; of others that rows have, their names.
+std::vector<FindingDescription> findings_of(const ProblemDescription& kind, const std::vector<OptimizerRow>& rows) {
+  std::vector<FindingDescription> findings = kind.findings;
+  for (const OptimizerRow& row : rows)
+    for (const auto& [name, figures] : row.findings)
+      if (std::ranges::find(findings, name, &FindingDescription::name) == findings.end())
+        findings.push_back({.name = name, .title = name});
+  return findings;
+}
+
+ProblemReport make_problem(const NamedProblem& named, const Collection& all, const Registry& registry) {
+  static const ProblemDescription unknown;
+  const ProblemDescription* known = registry.find_problem(named.kind);
+  const ProblemDescription& kind = known ? *known : unknown;
   std::vector<const TrialRecord*> records;
   for (const TrialRecord& record : all.records)
     if (record.problem == named.label) records.push_back(&record);
-  ProblemReport report{named.kind,
-                       make_table(named.label, named.best_known, all.optimizers, all.records),
-                       error_per_quality(records),
-                       {},
-                       best_of(records),
-                       named.details};
+  ProblemReport report;
+  report.kind = named.kind;
+  report.quality_name = kind.quality_name;
+  report.quality_help = kind.quality_help;
+  report.table = make_table(named.label, named.best_known, all.optimizers, all.records);
+  report.error_per_quality = error_per_quality(records);
+  report.best = best_of(records);
+  if (kind.show_details) report.details = kind.show_details(named.details);
+  report.fingerprint = named.fingerprint;
   // Not run yet: interrupted before its first trial, or left out by --only.
   std::erase_if(report.table.rows, [](const OptimizerRow& row) { return row.trials == 0; });
+  report.findings = findings_of(kind, report.table.rows);
   for (const RowRequest& optimizer : all.optimizers) {
     std::vector<const TrialRecord*> trials;
     for (const TrialRecord* record : records)
@@ -191,14 +221,14 @@ ProblemReport make_problem(const NamedProblem& named, const Collection& all) {
 
 }  // namespace
 
-ReportData collect(std::span<const Store> stores) {
+ReportData collect(std::span<const Store> stores, const Registry& registry) {
   Collection all;
   for (const Store& store : stores) all.add(store);
   all.add_unnamed();
   ReportData data;
   data.study_name = all.study_name;
   data.study_text = all.study_text;
-  for (const NamedProblem& problem : all.problems) data.problems.push_back(make_problem(problem, all));
+  for (const NamedProblem& problem : all.problems) data.problems.push_back(make_problem(problem, all, registry));
   for (const TrialRecord& record : all.records)
     if (is_failure(record.end))
       data.failed.push_back({record.problem, record.optimizer, record.repeat, record.end, record.reason});

@@ -3,8 +3,8 @@
 
 /// What table, CSV and page are made from: everything a report says, collected once from stored trials.
 ///
-///     ReportData data = collect(stores);
-///     data.pictures[label] = plates_html(make_plates(…));  // plates.h, html.h: where a problem is elastic
+///     ReportData data = collect(stores, registry);
+///     data.pictures[label] = exhibit.report(…);  // where the problem can be built again
 ///     console_table(data), summary_csv(data), report_html(data)
 
 #include <array>
@@ -18,8 +18,6 @@
 #include <nodal/store.h>
 #include <nodal/study.h>
 
-#include "details.h"
-
 namespace nodal::report {
 
 /// Best quality so far of one optimizer, over each axis.
@@ -28,22 +26,27 @@ struct OptimizerCurves {
   std::array<std::vector<CurvePoint>, 3> by_axis;  ///< by Axis
 };
 
-/// The best point of all trials on a problem, from which plates are drawn.
+/// The best point of all trials on a problem, which is drawn.
 struct BestOfAll {
   std::string optimizer;
   int repeat = 0;
   double quality = 0.0;
   std::vector<double> x;
+  std::optional<double> cost = {};
 };
 
 struct ProblemReport {
-  std::string kind;  ///< as the study says it; empty when the manifest doesn't know
+  std::string kind;                      ///< as the study says it; empty when the manifest doesn't know
+  std::string quality_name = "quality";  ///< as the kind calls it
+  std::string quality_help = {};
+  std::vector<FindingDescription> findings;  ///< those of the kind, then others that records have, each by its name
   ProblemTable table;
   std::optional<double>
       error_per_quality;                ///< relative error / quality where that is one constant: curves hold quality
   std::vector<OptimizerCurves> curves;  ///< in the table's order; optimizers without a point are left out
   std::optional<BestOfAll> best;
-  SystemDetails details;  ///< empty where the manifests have none
+  ReportPart details;            ///< of how it was made; empty where the manifests say nothing
+  std::string fingerprint = {};  ///< of the files it was read from (StudyProblem), as the stores have it
 };
 
 struct FailedTrial {
@@ -60,13 +63,13 @@ struct ReportData {
   std::vector<std::string> warnings;
   std::vector<LeftOut> left_out;
   std::vector<FailedTrial> failed;
-  std::map<std::string, std::string> pictures;  ///< HTML by problem, filled by the caller
+  std::map<std::string, ReportPart> pictures;  ///< by problem, filled by the caller
 };
 
 /// Merges the stores: of two stores' records with one key that of the first store counts; problems and optimizers stand
 /// in the order in which the manifests name them. A store's records that its current study doesn't ask for (other
-/// budgets or seeds) are left out, with a warning. InputError when stores mean different problems by one label: their
-/// figures don't compare.
-[[nodiscard]] ReportData collect(std::span<const Store> stores);
+/// budgets or seeds) are left out, with a warning. InputError when stores mean different problems by one label, by what
+/// the study says or by the files that it names: their figures don't compare.
+[[nodiscard]] ReportData collect(std::span<const Store> stores, const Registry& registry);
 
 }  // namespace nodal::report

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
 
+#include <nodal/show/number_text.h>
 #include <nodal/shown.h>
 
-#include "number_text.h"
 #include "report.h"
 
 namespace nodal::report {
@@ -39,7 +40,16 @@ void add_quartiles(std::vector<std::string>& cells, const std::optional<Quartile
   cells.push_back(q ? exact(q->upper) : "");
 }
 
-std::vector<std::string> header() {
+// Of all problems, each name once.
+std::vector<std::string> finding_names(const ReportData& data) {
+  std::vector<std::string> names;
+  for (const ProblemReport& problem : data.problems)
+    for (const FindingDescription& finding : problem.findings)
+      if (std::ranges::find(names, finding.name) == names.end()) names.push_back(finding.name);
+  return names;
+}
+
+std::vector<std::string> header(const std::vector<std::string>& findings) {
   std::vector<std::string> names = {"problem",
                                     "optimizer",
                                     "use",
@@ -63,10 +73,13 @@ std::vector<std::string> header() {
     for (const Axis axis : kAxes) names.push_back(std::string(to_string(axis)) + suffix);
     for (const Axis axis : kAxes) names.push_back(std::string(to_string(axis)) + "_multiple" + suffix);
   }
+  for (const std::string& finding : findings)
+    for (const char* part : {"lower", "median", "upper"}) names.push_back(quoted(finding + "_" + part));
   return names;
 }
 
-std::vector<std::string> cells_of(const ProblemTable& table, const OptimizerRow& row) {
+std::vector<std::string> cells_of(const ProblemTable& table, const OptimizerRow& row,
+                                  const std::vector<std::string>& findings) {
   std::vector<std::string> cells = {quoted(table.reference.label),
                                     quoted(row.label),
                                     quoted(row.use),
@@ -91,16 +104,21 @@ std::vector<std::string> cells_of(const ProblemTable& table, const OptimizerRow&
     for (const Axis axis : kAxes) cells.push_back(exact(target.median[static_cast<std::size_t>(axis)]));
     for (const Axis axis : kAxes) cells.push_back(exact(target.multiple[static_cast<std::size_t>(axis)]));
   }
+  for (const std::string& finding : findings) {
+    const auto found = row.findings.find(finding);
+    add_quartiles(cells, found == row.findings.end() ? std::nullopt : std::optional(found->second));
+  }
   return cells;
 }
 
 }  // namespace
 
 std::string summary_csv(const ReportData& data) {
-  std::string text = fmt::format("{}\n", fmt::join(header(), ","));
+  const std::vector<std::string> findings = finding_names(data);
+  std::string text = fmt::format("{}\n", fmt::join(header(findings), ","));
   for (const ProblemReport& problem : data.problems)
     for (const OptimizerRow& row : problem.table.rows)
-      text += fmt::format("{}\n", fmt::join(cells_of(problem.table, row), ","));
+      text += fmt::format("{}\n", fmt::join(cells_of(problem.table, row, findings), ","));
   return text;
 }
 

@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-#include "number_text.h"
+#include <nodal/show/number_text.h>
 
 namespace nodal::report {
 
@@ -66,7 +66,7 @@ std::string faster_text(const OptimizerRow& row, const OptimizerRow* baseline) {
   return base ? "at the start" : "baseline never";
 }
 
-void add_errors(std::vector<Filler>& fillers, bool has_error) {
+void add_errors(std::vector<Filler>& fillers, const ProblemReport& problem, bool has_error) {
   const auto error = [has_error](const OptimizerRow& r) { return has_error ? r.relative_error : r.quality; };
   fillers.push_back({{has_error ? "relative" : "quality", has_error ? "error" : "median",
                       has_error ? "relative error: 0 is perfect, 1 is as bad as no displacement at all"
@@ -76,7 +76,7 @@ void add_errors(std::vector<Filler>& fillers, bool has_error) {
                       false, 3, "quartiles"},
                      [error](const OptimizerRow& r) { return spread_text(error(r)); }});
   if (has_error)
-    fillers.push_back({{"G", "median", "the paper's quality measure: smaller is better"},
+    fillers.push_back({{problem.quality_name, "median", problem.quality_help},
                        [](const OptimizerRow& r) { return median_text(r.quality); }});
 }
 
@@ -116,6 +116,17 @@ void add_bounds(std::vector<Filler>& fillers) {
                      [](const OptimizerRow& r) { return or_dash(r.at_bounds, count_text); }});
 }
 
+void add_findings(std::vector<Filler>& fillers, const ProblemReport& problem) {
+  for (const FindingDescription& finding : problem.findings)
+    if (finding.tabled)
+      fillers.push_back({{finding.title, finding.unit.empty() ? "median" : "[" + finding.unit + "]", finding.help,
+                          false, 5, finding.title},
+                         [name = finding.name](const OptimizerRow& r) {
+                           const auto found = r.findings.find(name);
+                           return found == r.findings.end() ? "–" : median_text(found->second);
+                         }});
+}
+
 // What marks in the table stand for.
 std::vector<std::string> notes_of(const std::vector<OptimizerRow>& rows) {
   std::size_t disturbed = 0, trials = 0;
@@ -153,10 +164,11 @@ Table make_text_table(const ProblemReport& problem) {
   const auto baseline = std::ranges::find_if(all, &OptimizerRow::baseline);
 
   std::vector<Filler> fillers = {{{"", "optimizer", "as the study labels it", true}, label_text}};
-  add_errors(fillers, has_error);
+  add_errors(fillers, problem, has_error);
   add_costs(fillers, has_factorizations);
   if (std::ranges::any_of(all, [](const OptimizerRow& r) { return r.at_bounds && r.at_bounds->upper > 0.0; }))
     add_bounds(fillers);
+  add_findings(fillers, problem);
   add_targets(fillers, baseline == all.end() ? nullptr : &*baseline);
   if (std::ranges::any_of(all, [](const OptimizerRow& r) { return r.failed > 0; }))
     fillers.push_back({{"failed", "", "ended failed, timed out or crashed; the reasons are listed below"},
@@ -177,21 +189,23 @@ std::string describe_reference(const ProblemReport& problem) {
   const ProblemTable& table = problem.table;
   const ProblemReference& reference = table.reference;
   const std::string best = figure_text(reference.best_quality, kDigits);
+  const std::string& name = problem.quality_name;
   std::string text;
   if (table.start_quality) {
-    text = "G at the start " + figure_text(*table.start_quality, kDigits);
+    text = name + " at the start " + figure_text(*table.start_quality, kDigits);
     if (table.start_relative_error)
       text += fmt::format(" (relative error {})", figure_text(*table.start_relative_error, kDigits));
     if (table.start_is_best && reference.beaten)
-      text += ", not above the G* that was given: every trial has reached each gap at its start";
+      text += fmt::format(", not above the {}* that was given: every trial has reached each gap at its start", name);
     else if (table.start_is_best)
       text += ", the best there is: every trial has reached each gap at its start";
     else if (reference.unimproved)
-      text += ", which no trial has improved: gaps, and times to them, say nothing until a better G* is known";
+      text += fmt::format(
+          ", which no trial has improved: gaps, and times to them, say nothing until a better {}* is known", name);
     text += "; ";
   }
-  if (reference.provisional) return text + "G* = " + best + ", provisional: " + reference.origin;
-  text += "G* = " + best + (reference.origin.empty() ? "" : " (" + reference.origin + ")");
+  if (reference.provisional) return text + name + "* = " + best + ", provisional: " + reference.origin;
+  text += name + "* = " + best + (reference.origin.empty() ? "" : " (" + reference.origin + ")");
   if (reference.beaten)
     text += fmt::format(
         ", which is not the best known: trials reached {}, so gaps to it say little; leave out "
@@ -200,13 +214,19 @@ std::string describe_reference(const ProblemReport& problem) {
   return text;
 }
 
-std::vector<std::string> table_legend() {
-  return {"Best first: by error as printed, equal ones by time to gap 0.01. Times and counts are medians over trials.",
-          "Gap = (G − G*)/(G at the start − G*): 1 at the start, 0 at G*, the best known. \"Time to 0.01\" is the time "
-          "to that gap.",
-          "Never: the median trial doesn't get there. Times faster: the baseline's time to gap 0.01 over this one's.",
-          "Reached: distinct runs that got to gap 0.01, of all; repeats that did the same until then count once. det.: "
-          "deterministic."};
+std::vector<std::string> table_legend(std::span<const ProblemReport> problems) {
+  const bool one = !problems.empty() && std::ranges::all_of(problems, [&](const ProblemReport& problem) {
+    return problem.quality_name == problems.front().quality_name;
+  });
+  const std::string name = one ? problems.front().quality_name : "quality";
+  return {
+      "Best first: by error as printed, equal ones by time to gap 0.01. Times and counts are medians over trials.",
+      fmt::format("Gap = ({0} − {0}*)/({0} at the start − {0}*): 1 at the start, 0 at {0}*, the best known. \"Time to "
+                  "0.01\" is the time to that gap.",
+                  name),
+      "Never: the median trial doesn't get there. Times faster: the baseline's time to gap 0.01 over this one's.",
+      "Reached: distinct runs that got to gap 0.01, of all; repeats that did the same until then count once. det.: "
+      "deterministic."};
 }
 
 }  // namespace nodal::report

@@ -6,6 +6,7 @@
 /// Rows stand best first: by error as it is printed, equal ones by time to the default gap. (Digits beyond those
 /// printed are rounding noise among methods that reach the same optimum.)
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -34,7 +35,7 @@ struct Table {
 /// "G at the start 2.302 (relative error 0.2563); G* = 0.7376 (multi-start Gauss-Newton)", provisional or not.
 [[nodiscard]] std::string describe_reference(const ProblemReport& problem);
 
-/// For the reader of any table: what the words mean, one sentence each.
-[[nodiscard]] std::vector<std::string> table_legend();
+/// For the reader of these tables: what the words mean, one sentence each.
+[[nodiscard]] std::vector<std::string> table_legend(std::span<const ProblemReport> problems);
 
 }  // namespace nodal::report

@@ -145,6 +145,15 @@ std::size_t count_starts(std::span<const TrialRecord* const> trials) {
   return starts.size();
 }
 
+std::map<std::string, Quartiles> findings_of(std::span<const TrialRecord* const> trials) {
+  std::map<std::string, std::vector<double>> values;
+  for (const TrialRecord* trial : trials)
+    for (const Finding& finding : trial->health.findings) values[finding.name].push_back(finding.value);
+  std::map<std::string, Quartiles> findings;
+  for (auto& [name, found] : values) findings.emplace(name, *quartiles(std::move(found)));
+  return findings;
+}
+
 OptimizerRow make_row(const RowRequest& request, std::span<const TrialRecord* const> trials,
                       const ProblemReference& reference) {
   OptimizerRow row;
@@ -174,6 +183,7 @@ OptimizerRow make_row(const RowRequest& request, std::span<const TrialRecord* co
   row.at_bounds = quartiles_of(trials, [](const TrialRecord& t) {
     return t.best && t.best->at_bounds ? std::optional(static_cast<double>(*t.best->at_bounds)) : std::nullopt;
   });
+  row.findings = findings_of(trials);
   row.evaluations = quartiles_of(trials, count([](const TrialRecord& t) { return t.counts.evaluations; }));
   row.factorizations = quartiles_of(trials, count([](const TrialRecord& t) { return t.work.factorizations; }));
   row.seconds = quartiles_of(trials, count([](const TrialRecord& t) { return t.seconds.total; }));

@@ -37,6 +37,7 @@ Value problem_part(const StudyProblem& problem) {
   part.set("label", problem.label);
   part.set("kind", problem.kind);
   part.set("options", problem.options.values());
+  if (!problem.fingerprint.empty()) part.set("inputs", problem.fingerprint);
   if (problem.best_known) {
     Value known;
     known.set("quality", problem.best_known->quality);

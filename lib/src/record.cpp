@@ -107,7 +107,7 @@ void describe(Archive& archive, T& health) {
   archive.field("cost_error", health.cost_error);
   archive.field("residual", health.residual);
   archive.field("drift", health.drift);
-  archive.field("spread", health.spread);
+  archive.findings(health.findings);
   archive.field("refused", health.refused);
 }
 

@@ -3,7 +3,9 @@
 
 /// Two archives of a record's tables: the Writer makes JSON of what a `describe` names, the Reader checks and fills it.
 
+#include <algorithm>
 #include <concepts>
+#include <iterator>
 #include <optional>
 #include <string>
 #include <utility>
@@ -14,6 +16,9 @@
 #include <nodal/record.h>
 
 namespace nodal {
+
+// A finding stands among the entries of "health" under its own name, which is none of these.
+inline constexpr std::string_view kHealthNames[] = {"error_estimate", "cost_error", "residual", "drift", "refused"};
 
 inline constexpr std::string_view kEndNames[] = {"budget", "target", "finished", "failed", "timeout", "crashed"};
 
@@ -43,6 +48,9 @@ class Writer {
   template <class T>
   void optional_table(const char* key, const std::optional<T>& value) {
     if (value) table(key, *value);
+  }
+  void findings(const std::vector<Finding>& findings) {
+    for (const Finding& finding : findings) result.set(finding.name, finding.value);
   }
 
  private:
@@ -98,6 +106,13 @@ class Reader {
   template <class T>
   void optional_table(const char* key, std::optional<T>& value) {
     if (table_.find(key)) table(key, value.emplace());
+  }
+  void findings(std::vector<Finding>& findings) {
+    for (const auto& [name, value] : table_.table()) {
+      if (std::ranges::find(kHealthNames, name) != std::end(kHealthNames)) continue;
+      if (!value.is_number()) fail(name, "is not a number");
+      findings.push_back({name, value.number()});
+    }
   }
 
  private:

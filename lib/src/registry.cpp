@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "record_archive.h"
+
 namespace nodal {
 
 namespace {
@@ -25,6 +27,9 @@ void Registry::add(OptimizerDescription description) {
 
 void Registry::add(ProblemDescription description) {
   if (find_problem(description.kind)) throw std::logic_error("problem '" + description.kind + "' is registered twice");
+  for (const FindingDescription& finding : description.findings)
+    if (std::ranges::find(kHealthNames, finding.name) != std::end(kHealthNames))
+      throw std::logic_error("a finding can't be called '" + finding.name + "': every record has one of that name");
   problems_.push_back(std::move(description));
 }
 

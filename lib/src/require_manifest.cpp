@@ -59,7 +59,7 @@ class Checked {
 };
 
 void check_problem(const Checked& problem) {
-  problem.texts({"label", "kind"});
+  problem.texts({"label", "kind", "inputs"});
   problem.table("options");
   problem.with("best_known", [](const Checked& known) {
     known.require(&Value::is_table, "a table").texts({"origin"});

@@ -164,7 +164,9 @@ class StudyReader {
 
   void make(const ProblemDescription& description, const Value& entry, StudyProblem& problem) const {
     try {
-      problem.problem = description.make(problem.options, {study_.path.parent_path(), entry.source});
+      InputFiles files(study_.path.parent_path());
+      problem.problem = description.make(problem.options, {files, entry.source});
+      problem.fingerprint = files.fingerprint();
     } catch (const InputError&) {  // says where and what
       throw;
     } catch (const std::bad_alloc&) {

@@ -223,7 +223,7 @@ std::string trial_key(const Study& study, const Trial& trial) {
   content.set("schema", kRecordSchema);
   content.set("kind", problem.kind);
   content.set("problem", problem.options.values());
-  if (const std::string inputs = problem.problem->fingerprint(); !inputs.empty()) content.set("inputs", inputs);
+  if (!problem.fingerprint.empty()) content.set("inputs", problem.fingerprint);
   content.set("use", optimizer.use);
   content.set("multi_start", optimizer.multi_start);
   content.set("options", optimizer.options.values());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The first rule of the house: lib knows nobody, problems and optimizers know only lib.
+// The first rule of the house: lib knows nobody, problems, optimizers and bench know only lib.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -37,7 +37,7 @@ class Planted : public testing::Test {
           "#include <nodal/plate/plate.h>\n#include \"solver.h\"\n#include <cholmod.h>\n");
     write("problems/plate/src/solver.h", "// #include <nodal/optimizer/annealing.h>\n");
     write("optimizers/walk/walk.cpp", "#include <nodal/problem.h>\n");
-    write("bench/program.cpp", "#include <nodal/plate/plate.h>\n#include <CLI/CLI.hpp>\n");
+    write("bench/program.cpp", "#include <nodal/components.h>\n#include <nodal/problem.h>\n#include <CLI/CLI.hpp>\n");
   }
   ~Planted() override {
     std::error_code ignored;
@@ -97,11 +97,17 @@ TEST_F(Planted, ProgramThatReachesIntoAnotherUnitIsFound) {
   write("optimizers/walk/step.h", "");
   write("bench/report/page.cpp", "#include \"page.h\"\n#include \"lock.h\"\n#include \"generated.h\"\n");
   write("bench/report/page.h", "#include \"solver.h\"\n#include \"step.h\"\n");
-  write("bench/micro/lock_time.cpp", "#include \"lock.h\"\n");  // measures it
+  write("bench/micro/lock_time.cpp", "#include \"lock.h\"\n");
   EXPECT_EQ(breaches(),
+            "bench/micro/lock_time.cpp:2: includes \"lock.h\", which is private to lib\n"
             "bench/report/page.cpp:3: includes \"lock.h\", which is private to lib\n"
             "bench/report/page.h:2: includes \"solver.h\", which is private to problems/plate\n"
             "bench/report/page.h:3: includes \"step.h\", which is private to optimizers/walk\n");
+}
+
+TEST_F(Planted, ProgramThatKnowsAProblemIsFound) {
+  write("bench/program.cpp", "#include <nodal/plate/plate.h>\n");
+  EXPECT_EQ(breaches(), "bench/program.cpp:2: includes <nodal/plate/plate.h>, which is neither lib's nor its own\n");
 }
 
 TEST_F(Planted, BenchmarksOfAComponentMeasureItsPartsAndRegisterAll) {

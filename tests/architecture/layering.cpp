@@ -144,7 +144,7 @@ class SourceFile {
     for (const fs::path& folder : {file_.parent_path(), unit_ / "src", unit_})
       if (exists_in_unit(folder / header)) return;
     if (kind_ == Kind::bench && !header.starts_with("..")) {  // its folders are one program, which generates files too
-      if (const std::string owner = owner_of(header); !owner.empty() && !measures_)
+      if (const std::string owner = owner_of(header); !owner.empty())
         report("includes \"" + header + "\", which is private to " + owner);
       return;
     }
@@ -174,9 +174,9 @@ class SourceFile {
   }
 
   void check_nodal(const std::string& header) {
-    if (kind_ == Kind::bench || exists_in_unit(unit_ / "include" / header)) return;
-    if (kind_ == Kind::component && fs::is_regular_file(root_ / "lib" / "include" / header)) return;
-    if (header == kComponents && measures_) return;  // programs register everything
+    if (exists_in_unit(unit_ / "include" / header)) return;
+    if (kind_ != Kind::lib && fs::is_regular_file(root_ / "lib" / "include" / header)) return;
+    if (header == kComponents && (kind_ == Kind::bench || measures_)) return;  // programs register everything
     report("includes <" + header + ">, which is neither lib's nor its own");
   }
 

@@ -6,9 +6,9 @@
 /// A unit is lib, bench, or a folder of problems or optimizers. Rules:
 ///   lib includes only itself, the standard library, the system, and the few libraries it stands on;
 ///   a problem or an optimizer includes lib's public headers, itself, and libraries of its own;
+///   bench includes lib's public headers and itself: it knows no problem and no optimizer;
 ///   a public header (below an include/ folder) includes nothing but the standard library and public headers;
-///   bench includes no private header of another unit, but for its micro-benchmarks, which measure such parts;
-///   the micro-benchmarks of a component, its folder micro/, are part of a program and include <nodal/components.h>;
+///   <nodal/components.h> is for programs: bench, and the micro-benchmarks of a component, its folder micro/;
 ///   nobody includes by a path that leaves its unit, nor asks the preprocessor what is in the build;
 ///   nobody catches std::invalid_argument, which means a bug: what can't be had is a Refusal (error.h);
 ///   every source begins with the licence.

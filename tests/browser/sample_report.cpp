@@ -5,9 +5,8 @@
 #include <fstream>
 
 #include <nodal/components.h>
+#include <nodal/elastic/elastic_problem.h>
 #include <nodal/elastic/stiffness.h>
-#include <report/html.h>
-#include <report/plates.h>
 #include <report/report.h>
 
 #include "../bench/report/fixture.h"
@@ -37,6 +36,7 @@ void add_optimizers(ProblemReport& problem, std::size_t total) {
 ProblemReport make_analytic() {
   ProblemReport problem = fixture::make_problem();
   problem.kind = "rosenbrock";
+  problem.quality_name = "quality";
   problem.table.reference = {"rosenbrock </script><script>fail(\"&\")</script>", 0.0, "", false};
   problem.error_per_quality.reset();
   problem.table.start_relative_error.reset();
@@ -45,19 +45,43 @@ ProblemReport make_analytic() {
   return problem;
 }
 
-std::vector<Plate> make_plates_of_the_paper() {
-  Registry registry;
-  register_components(registry);
-  const ProblemDescription* kind = registry.find_problem("elastic");
-  const Options options = resolve_options(kind->options, Value(), "problem");
-  const auto made = kind->make(options, {});
+const ProblemDescription& elastic_kind() {
+  static Registry registry;
+  if (registry.problems().empty()) register_components(registry);
+  return *registry.find_problem("elastic");
+}
+
+ReportPart pictures_of_the_paper() {
+  const Options options = resolve_options(elastic_kind().options, Value(), "problem");
+  InputFiles files;
+  const auto made = elastic_kind().make(options, {files, {}});
   const auto problem = std::dynamic_pointer_cast<const elastic::ElasticProblem>(made);
   // Stiffnesses of a square lattice, from soft to stiff: close to what the optimizers find.
   std::vector<double> x = elastic::lattice_stiffness(problem->net(), problem->scene().material);
   for (double& k : x) k = std::log(k);
-  ProblemReport report = fixture::make_problem();
-  report.best = {"ceres-levenberg-marquardt", 0, 0.7376, x};
-  return make_plates(*problem, report);
+  const std::span<const double> start = problem->space().start();
+  const std::vector<LabelledPoint> points = {{"start", {start.begin(), start.end()}},
+                                             {"best: ceres-levenberg-marquardt", x}};
+  return problem->exhibit()->report("plate", points);
+}
+
+// Deviations that halve with every iteration, an energy that comes near that of hexagons, masses of full rank.
+ReportPart details_of(int iterations) {
+  Value::List steps;
+  for (int i = 0; i <= iterations; ++i) {
+    const double left = std::pow(0.5, i);
+    steps.emplace_back(Value::Table{{"iteration", i},
+                                    {"distance_deviation", 0.1 + 0.4 * left},
+                                    {"area_deviation", 0.2 + 0.6 * left},
+                                    {"energy", 0.0802 * (1.03 + left)},
+                                    {"inner_energy", 0.0802 * (1.02 + 0.75 * left)}});
+  }
+  const Value masses = Value::Table{{"form", "positive"},
+                                    {"message", "all moments are the body's"},
+                                    {"smallest", 0.125},
+                                    {"rank", 6},
+                                    {"moment_errors", Value::Table{{"∫1", 0.0}, {"∫x²", 2.5e-15}}}};
+  return elastic_kind().show_details(Value::Table{{"voronoi", std::move(steps)}, {"masses", masses}});
 }
 
 }  // namespace
@@ -69,9 +93,9 @@ int main(int argc, char** argv) {
   }
   ReportData data = fixture::make_data();
   add_optimizers(data.problems[0], 15);
-  data.problems[0].details = fixture::make_details(50);
+  data.problems[0].details = details_of(50);
   data.problems.push_back(make_analytic());
-  data.pictures["plate"] = plates_html(make_plates_of_the_paper());
+  data.pictures["plate"] = pictures_of_the_paper();
   data.warnings = {"'results' holds results of another build (revision 0123abc; this is 4567def): times don't compare"};
   std::ofstream(argv[1]) << report_html(data);
   return 0;

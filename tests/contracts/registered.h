@@ -22,7 +22,7 @@ inline std::string identifier(std::string name) {
   return name;
 }
 
-/// A problem as a study makes it. Each kind is tested as its defaults make it, and some in a smaller or another shape.
+/// A problem as a study makes it: every sample that a kind gives of itself.
 struct Sample {
   std::string name;
   std::string kind;
@@ -35,11 +35,9 @@ inline void PrintTo(const Sample& sample, std::ostream* out) { *out << sample.na
 inline std::vector<Sample> samples() {
   std::vector<Sample> all;
   for (const ProblemDescription& problem : components().problems()) {
-    all.push_back({identifier(problem.kind), problem.kind, ""});
-    if (problem.kind != "elastic") continue;
-    all.push_back({"elastic_small", "elastic", "points = { layout = \"grid\", counts = [4, 3] }\n"});
-    all.push_back({"elastic_tied", "elastic",
-                   "springs = { parameters = \"by-direction\" }\nloads = { supports = \"minimal\" }\n"});
+    for (const ProblemSample& sample : problem.samples)
+      all.push_back({identifier(sample.name.empty() ? problem.kind : problem.kind + "_" + sample.name), problem.kind,
+                     sample.settings});
   }
   return all;
 }

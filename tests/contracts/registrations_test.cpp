@@ -88,5 +88,38 @@ TEST(Registrations, OfWhatIsAbsentSayWhy) {
   }
 }
 
+// What nodal fit takes when nobody names a method is decided by rank alone, so no two are the same.
+TEST(Registrations, RankMethodsThatSuitDifferently) {
+  const std::shared_ptr<const Problem> problem = make_problem(samples().at(0));
+  std::set<int> ranks;
+  for (const OptimizerDescription& optimizer : components().optimizers()) {
+    if (!optimizer.suits) continue;
+    const std::optional<Suitability> suits = optimizer.suits(*problem);
+    if (!suits) continue;
+    EXPECT_FALSE(suits->reason.empty()) << optimizer.name;
+    EXPECT_TRUE(ranks.insert(suits->rank).second) << optimizer.name << " has the rank of another";
+  }
+  EXPECT_FALSE(ranks.empty());
+}
+
+// A command or a list of a problem's that had a name of the program's own would hide it, or be hidden.
+TEST(Registrations, BringCommandsAndListsOfOtherNames) {
+  std::set<std::string> names = {"compare", "evaluate", "fit", "report", "explain", "list"};
+  std::set<std::string> lists = {"optimizers", "problems", "scenes"};
+  for (const ProblemDescription& problem : components().problems()) {
+    for (const Command& command : problem.commands) {
+      EXPECT_TRUE(names.insert(command.name).second) << command.name;
+      EXPECT_FALSE(command.summary.empty()) << command.name;
+      EXPECT_TRUE(command.run) << command.name;
+    }
+    for (const Listing& listing : problem.listings) EXPECT_TRUE(lists.insert(listing.name).second) << listing.name;
+  }
+}
+
+TEST(Registrations, RefuseFindingsNamedLikeAnEntryOfEveryRecord) {
+  Registry registry;
+  EXPECT_THROW(registry.add(ProblemDescription{.kind = "toy", .findings = {{.name = "drift"}}}), std::logic_error);
+}
+
 }  // namespace
 }  // namespace nodal::contracts

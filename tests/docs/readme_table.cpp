@@ -35,7 +35,7 @@ std::string table_of(const std::string& readme) {
 
 std::string with_table(std::string readme, const report::ReportData& data) {
   std::string table = report::console_table(data, kWidth);
-  table.erase(table.find(report::table_legend().front()));
+  table.erase(table.find(report::table_legend(data.problems).front()));
   table.erase(table.find_last_not_of('\n') + 1);
   const Range range = range_of(readme);
   return readme.replace(range.begin, range.size, table);

@@ -65,6 +65,7 @@ class ReadmeTable : public testing::Test {
       if (o.deterministic && ended_by_clock(records.back())) by_clock_.push_back(o.label);
     }
     report::ProblemReport problem;
+    problem.quality_name = components().find_problem(study_.problems[0].kind)->quality_name;
     problem.table = make_table(study_.problems[0].label, study_.problems[0].best_known, rows, records);
     return problem;
   }

@@ -7,6 +7,7 @@
 #include <nodal/file.h>
 #include <nodal/store.h>
 
+#include "../support/components.h"
 #include "readme_table.h"
 
 int main(int argc, char** argv) {
@@ -17,8 +18,8 @@ int main(int argc, char** argv) {
   try {
     std::vector<nodal::Store> stores;
     stores.push_back(nodal::Store::open_existing(argv[2]));
-    nodal::replace_file(argv[1],
-                        nodal::docs::with_table(nodal::read_file(argv[1], "page"), nodal::report::collect(stores)));
+    nodal::replace_file(argv[1], nodal::docs::with_table(nodal::read_file(argv[1], "page"),
+                                                         nodal::report::collect(stores, nodal::components())));
     return 0;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "readme_table: %s\n", error.what());

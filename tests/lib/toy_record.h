@@ -32,7 +32,7 @@ inline TrialRecord full_record() {
   r.conditions = Conditions{"89abcdef01234567", "A Processor @ 3 GHz", 3, 2, true, true};
   r.trace = {{0, 1e-6, 1, 3.5}, {41, 0.4, 40, 0.2}};
   r.claimed = ClaimRecord{0.1, true, 44, "XTOL_REACHED"};
-  r.health = {1e-12, 5e-17, 2e-16, 3e-10, 1e4, 2};
+  r.health = {1e-12, 5e-17, 2e-16, 3e-10, 2, {{"spread", 1e4}}};
   return r;
 }
 
@@ -89,8 +89,12 @@ inline void expect_equal(const Health& a, const Health& b) {
   EXPECT_EQ(a.cost_error, b.cost_error);
   EXPECT_EQ(a.residual, b.residual);
   EXPECT_EQ(a.drift, b.drift);
-  EXPECT_EQ(a.spread, b.spread);
   EXPECT_EQ(a.refused, b.refused);
+  ASSERT_EQ(a.findings.size(), b.findings.size());
+  for (std::size_t i = 0; i < a.findings.size(); ++i) {
+    EXPECT_EQ(a.findings[i].name, b.findings[i].name);
+    EXPECT_EQ(a.findings[i].value, b.findings[i].value);
+  }
 }
 
 /// Field by field, so that what differs is named.

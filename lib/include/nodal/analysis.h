@@ -18,6 +18,7 @@
 /// Other trials count each on its own: random ones that never got there drew their own numbers to the end.
 
 #include <array>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -71,6 +72,7 @@ struct OptimizerRow {
   std::optional<Quartiles> quality, relative_error;  ///< of the best points
   std::optional<Quartiles> at_bounds;                ///< coordinates of the best points that lie at a bound
   std::optional<Quartiles> evaluations, factorizations, seconds, work;
+  std::map<std::string, Quartiles> findings;  ///< by name, of the trials that have one (Health::findings)
   std::array<TargetRow, kTargetGaps.size()> targets;
   std::vector<std::string> reasons;  ///< of failed trials, each once
 

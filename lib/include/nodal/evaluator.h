@@ -14,6 +14,8 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
+#include <vector>
 
 #include <nodal/moves.h>
 #include <nodal/status.h>
@@ -38,14 +40,22 @@ struct Work {
   }
 };
 
-/// How far the numbers of a trial can be trusted. An entry that was not measured is empty.
+/// A figure of the problem's own at a point: "spread", the ratio of the stiffest spring to the softest. What it means
+/// says a FindingDescription (command.h).
+struct Finding {
+  std::string name;
+  double value = 0.0;
+};
+
+/// How far the numbers of a trial can be trusted, and what else was found at its best point. An entry that was not
+/// measured is empty.
 struct Health {
   std::optional<double> error_estimate;  ///< relative size of the first refinement step of the final solve
   std::optional<double> cost_error;      ///< the refined cost is within this of the exact one at the same doubles
   std::optional<double> residual;        ///< backward error after refinement, ‖f − Ku‖/(‖f‖ + ‖|K||u|‖)
   std::optional<double> drift;           ///< largest relative_drift() of a cost that the race saw (agreement.h)
-  std::optional<double> spread;          ///< k_max / k_min at the best point
   std::int64_t refused = 0;              ///< evaluations that returned another status than ok or budget_spent
+  std::vector<Finding> findings;         ///< what the problem says of its best point
 };
 
 class Evaluator {

@@ -26,6 +26,8 @@
 
 namespace nodal {
 
+class Exhibit;
+
 /// What a problem can give beyond values, and what an optimizer needs beyond values.
 struct Abilities {
   bool gradient = false;           ///< value and gradient
@@ -79,9 +81,8 @@ class Problem {
   /// How the problem was made, as data: into the manifest of a store and what `nodal evaluate --json` prints. An empty
   /// table when there is nothing to say.
   [[nodiscard]] virtual Value details() const { return {}; }
-  /// A hash of what determines the problem beyond its options: the contents of the files that they name. It is part of
-  /// every trial's key, so that a changed file makes new trials. Empty when options say it all.
-  [[nodiscard]] virtual std::string fingerprint() const { return {}; }
+  /// How it is shown to people (exhibit.h); none for a problem that has nothing to add to cost and quality.
+  [[nodiscard]] virtual const Exhibit* exhibit() const { return nullptr; }
 
  protected:
   Problem() = default;

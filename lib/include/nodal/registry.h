@@ -6,7 +6,6 @@
 /// Each component folder has one function `void register_<folder>(Registry&)`; the build collects them.
 /// Threads  fill it first, then share it.
 
-#include <filesystem>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -14,7 +13,10 @@
 #include <string_view>
 #include <vector>
 
+#include <nodal/command.h>
 #include <nodal/dense_matrix.h>
+#include <nodal/exhibit.h>
+#include <nodal/input_files.h>
 #include <nodal/optimizer.h>
 #include <nodal/options.h>
 #include <nodal/problem.h>
@@ -42,10 +44,16 @@ struct OptimizerDescription {
   std::function<std::optional<Suitability>(const Problem&)> suits = {};
 };
 
-/// Where a problem of a study stands: relative files are looked up beside the study.
+/// Where a problem of a study stands, and its files.
 struct ProblemContext {
-  std::filesystem::path directory;
+  InputFiles& files;
   Source source;
+};
+
+/// A problem of a kind that tests and examples may take: small, made in no time.
+struct ProblemSample {
+  std::string name = {};      ///< to tell samples of a kind apart; empty for that of the defaults
+  std::string settings = {};  ///< further lines of [problem], TOML
 };
 
 struct ProblemDescription {
@@ -55,6 +63,21 @@ struct ProblemDescription {
   OptionSchema options = {};  ///< beside kind, label and best_known, which the study itself knows
   /// InputError (with the source of the value at fault) for options that are each valid but don't make a problem.
   std::function<std::shared_ptr<const Problem>(const Options&, const ProblemContext&)> make = {};
+
+  // How its results are told, where problems are not built: of stores that anybody may have written.
+
+  std::string quality_name = "quality";  ///< what its quality is called: "G"; the best known is "G*"
+  std::string quality_help = "what people read of the cost: smaller is better";
+  std::vector<FindingDescription> findings = {};
+  /// From a manifest's "details" (Problem::details), of whatever build. Left out: nothing is said of them.
+  std::function<ReportPart(const Value& details)> show_details = {};
+  /// Why a problem by this table of a study would take too long to be built for its pictures alone. Empty, or left out:
+  /// it wouldn't.
+  std::function<std::string(const Value& table)> too_costly_to_draw = {};
+
+  std::vector<Command> commands = {};
+  std::vector<Listing> listings = {};
+  std::vector<ProblemSample> samples = {ProblemSample{}};  ///< for tests; the defaults at least
 };
 
 /// Something that this build lacks, and how to get it. `name` is a whole name, or a prefix when it ends with '*'.

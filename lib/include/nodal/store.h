@@ -52,7 +52,7 @@ class Store {
   [[nodiscard]] std::optional<int> other_writer() const noexcept;
 
   /// The manifest as it stands: {schema, study: {name, file, directory, seed, repeats, text}, problems: [{label, kind,
-  /// options, best_known: {quality, origin}, details}], optimizers: [{label, use, baseline, multi_start,
+  /// options, inputs, best_known: {quality, origin}, details}], optimizers: [{label, use, baseline, multi_start,
   /// deterministic}], left_out: [{label, use, reason}], keys: [the current study's trials], runs: [{began, build,
   /// provenance}]}; best_known and details where there are any. But for the runs, whatever is there is of its right
   /// type. Empty table for a new store.

@@ -32,6 +32,9 @@ struct StudyProblem {
   Options options;
   std::shared_ptr<const Problem> problem;  ///< built once, when the study is read
   std::optional<KnownOptimum> best_known;  ///< the study's, else the problem's own
+  /// Of the files that it was read from (InputFiles::fingerprint): part of every trial's key, so that a changed file
+  /// makes new trials. Empty when options say it all.
+  std::string fingerprint = {};
 };
 
 struct StudyOptimizer {

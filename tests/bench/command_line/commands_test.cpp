@@ -228,7 +228,7 @@ TEST(Fit, WithoutSpringsPrunesNothing) {
   folder.write("sphere.toml", "[budget]\nevaluations = 10\n[problem]\nkind = \"sphere\"\n");
   const Output output = run(folder, {"fit", "sphere.toml", "--prune"});
   EXPECT_EQ(output.exit, 2);
-  EXPECT_EQ(output.err, "nodal: --prune: problem 'sphere' has no springs to leave out; it is for elastic problems\n");
+  EXPECT_EQ(output.err, "nodal: --prune: problem 'sphere' has nothing to leave out\n");
 }
 
 // Four nodes on a square without a diagonal, and a fifth that hangs on one spring.
@@ -261,7 +261,7 @@ TEST(Fit, WithoutSpringsHasNoPicture) {
   for (const char* command : {"fit", "evaluate"}) {
     const Output output = run(folder, {command, "sphere.toml", "--picture", "sphere.svg"});
     EXPECT_EQ(output.exit, 2) << command;
-    EXPECT_EQ(output.err, "nodal: --picture: problem 'sphere' has no springs to draw; it is for elastic problems\n");
+    EXPECT_EQ(output.err, "nodal: --picture: problem 'sphere' has no picture\n");
     EXPECT_FALSE(std::filesystem::exists(folder.path() / "sphere.svg"));
   }
 }

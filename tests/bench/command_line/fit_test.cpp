@@ -14,7 +14,7 @@
 #include <nodal/trial.h>
 #include <nodal/value.h>
 
-#include "command_line/at_bounds.h"
+#include <nodal/show/at_bounds.h>
 #include "command_line/fit_clock.h"
 #include "command_line/fit_method.h"
 #include "command_line/slope.h"

@@ -45,7 +45,7 @@ TEST(StoreOfVersion010, IsReported) {
   fs::copy(original(), folder.path() / "old", fs::copy_options::recursive);
   const Output output = run(folder, {"report", "old"});
   EXPECT_EQ(output.exit, 0) << output.err;
-  EXPECT_NE(output.out.find("sphere: G at the start 5.610"), std::string::npos) << output.out;
+  EXPECT_NE(output.out.find("sphere: quality at the start 5.610"), std::string::npos) << output.out;
   EXPECT_NE(output.out.find("0.7752"), std::string::npos) << output.out;  // random search on the sphere, the median
   EXPECT_NE(output.out.find("elastic: G at the start 40.04"), std::string::npos) << output.out;
   EXPECT_TRUE(fs::exists(folder.path() / "old" / "report.html"));

@@ -11,6 +11,21 @@
 namespace nodal::report {
 namespace {
 
+// One kind, whose details are shown as they are.
+const Registry& kinds() {
+  static const Registry registry = [] {
+    Registry made;
+    made.add(ProblemDescription{.kind = "elastic",
+                                .quality_name = "G",
+                                .findings = {{.name = "spread", .title = "k_max/k_min"}},
+                                .show_details = [](const Value& details) {
+                                  return ReportPart{to_json(details), "", ""};
+                                }});
+    return made;
+  }();
+  return registry;
+}
+
 // A store on disk, written as files: collecting needs no study.
 class Collect : public ::testing::Test {
  protected:
@@ -38,7 +53,7 @@ class Collect : public ::testing::Test {
 
   // `young` makes problems differ; no keys: everything counts.
   Store store(const std::string& name, const std::vector<TrialRecord>& records, double young = 1.0,
-              const Value::List& keys = {}, const Value& details = {}) const {
+              const Value::List& keys = {}, const Value& details = {}, const std::string& inputs = "") const {
     const std::filesystem::path path = folder_ / name;
     std::filesystem::create_directories(path / "trials");
     Value problem, optimizer, study, manifest, options;
@@ -47,6 +62,7 @@ class Collect : public ::testing::Test {
     problem.set("kind", "elastic");
     problem.set("options", options);
     if (!details.table().empty()) problem.set("details", details);
+    if (!inputs.empty()) problem.set("inputs", inputs);
     optimizer.set("label", records.at(0).optimizer);
     optimizer.set("use", records.at(0).use);
     optimizer.set("baseline", records.at(0).optimizer == "annealing");
@@ -74,7 +90,7 @@ TEST_F(Collect, MergesStoresAndCountsARecordOnce) {
   std::vector<Store> stores;
   stores.push_back(store("a", {record("k1", "annealing", 2.0), record("k2", "annealing", 2.2)}));
   stores.push_back(store("b", {record("k3", "ceres", 1.0), record("k1", "annealing", 2.0)}));
-  const ReportData data = collect(stores);
+  const ReportData data = collect(stores, kinds());
   EXPECT_EQ(data.study_name, "race");
   ASSERT_EQ(data.problems.size(), 1u);
   const ProblemReport& problem = data.problems[0];
@@ -95,7 +111,7 @@ TEST_F(Collect, MergesStoresAndCountsARecordOnce) {
 TEST_F(Collect, LeavesOutTrialsOfEarlierSettingsAndSaysSo) {
   std::vector<Store> stores;
   stores.push_back(store("a", {record("k1", "annealing", 2.0), record("old", "annealing", 1.0)}, 1.0, {"k1"}));
-  const ReportData data = collect(stores);
+  const ReportData data = collect(stores, kinds());
   EXPECT_EQ(data.problems[0].table.rows[0].trials, 1u);
   ASSERT_EQ(data.warnings.size(), 1u);
   EXPECT_NE(data.warnings[0].find("1 stored trials"), std::string::npos);
@@ -105,13 +121,13 @@ TEST_F(Collect, RefusesDifferentProblemsUnderOneLabel) {
   std::vector<Store> stores;
   stores.push_back(store("a", {record("k1", "annealing", 2.0)}, 1.0));
   stores.push_back(store("b", {record("k2", "annealing", 2.0)}, 2.0));
-  EXPECT_THROW((void)collect(stores), InputError);
+  EXPECT_THROW((void)collect(stores, kinds()), InputError);
 }
 
 TEST_F(Collect, KeepsTheReasonsOfFailedTrials) {
   std::vector<Store> stores;
   stores.push_back(store("a", {record("k1", "annealing", 2.0), record("k2", "annealing", 3.0, End::crashed)}));
-  const ReportData data = collect(stores);
+  const ReportData data = collect(stores, kinds());
   ASSERT_EQ(data.failed.size(), 1u);
   EXPECT_EQ(data.failed[0].end, End::crashed);
   EXPECT_EQ(data.failed[0].reason, "the plate broke");
@@ -122,7 +138,7 @@ TEST_F(Collect, DrawsQualityWhereErrorIsNotProportionalToIt) {
   odd.best->summary.relative_error = 0.1;
   std::vector<Store> stores;
   stores.push_back(store("a", {odd}));
-  EXPECT_FALSE(collect(stores).problems[0].error_per_quality);
+  EXPECT_FALSE(collect(stores, kinds()).problems[0].error_per_quality);
 }
 
 TEST_F(Collect, TakesDetailsFromTheFirstStoreThatHasThem) {
@@ -136,10 +152,39 @@ TEST_F(Collect, TakesDetailsFromTheFirstStoreThatHasThem) {
   stores.push_back(store("a", {record("k1", "annealing", 2.0)}));
   stores.push_back(store("b", {record("k2", "annealing", 2.0)}, 1.0, {}, details(6)));
   stores.push_back(store("c", {record("k3", "annealing", 2.0)}, 1.0, {}, details(5)));
-  const ReportData data = collect(stores);
+  const ReportData data = collect(stores, kinds());
   ASSERT_EQ(data.problems.size(), 1u);
-  ASSERT_TRUE(data.problems[0].details.masses);
-  EXPECT_EQ(data.problems[0].details.masses->rank, 6);
+  EXPECT_EQ(data.problems[0].details.html, R"({"masses":{"rank":6}})");
+}
+
+TEST_F(Collect, KnowsWhatTheKindCallsThings) {
+  TrialRecord found = record("k1", "annealing", 2.0);
+  found.health.findings = {{"spread", 12.0}, {"sag", 0.5}};
+  std::vector<Store> stores;
+  stores.push_back(store("a", {found, record("k2", "annealing", 2.0)}));
+  const ReportData data = collect(stores, kinds());
+  EXPECT_EQ(data.problems[0].quality_name, "G");
+  // Of a finding that the kind doesn't describe there is its name.
+  ASSERT_EQ(data.problems[0].findings.size(), 2u);
+  EXPECT_EQ(data.problems[0].findings[0].title, "k_max/k_min");
+  EXPECT_EQ(data.problems[0].findings[1].title, "sag");
+  EXPECT_EQ(data.problems[0].table.rows[0].findings.at("spread").median, 12.0);
+  EXPECT_EQ(collect(stores, Registry()).problems[0].quality_name, "quality");
+}
+
+TEST_F(Collect, RefusesOtherFilesUnderOneLabel) {
+  const auto of = [this](const char* name, const char* key, const char* inputs) {
+    return store(name, {record(key, "annealing", 2.0)}, 1.0, {}, {}, inputs);
+  };
+  const auto merge = [&](Store a, Store b) {
+    std::vector<Store> stores;
+    stores.push_back(std::move(a));
+    stores.push_back(std::move(b));
+    return collect(stores, kinds()).problems.at(0).fingerprint;
+  };
+  EXPECT_EQ(merge(of("a", "k1", "12ab"), of("b", "k2", "12ab")), "12ab");
+  EXPECT_EQ(merge(of("c", "k1", ""), of("d", "k2", "12ab")), "12ab");  // an older build didn't say
+  EXPECT_THROW((void)merge(of("e", "k1", "12ab"), of("f", "k2", "34cd")), InputError);
 }
 
 }  // namespace

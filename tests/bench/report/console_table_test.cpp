@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
-#include <report/number_text.h>
+#include <nodal/show/number_text.h>
 #include <report/report.h>
 
 #include <algorithm>
@@ -170,6 +170,32 @@ TEST(ConsoleTable, AlignsLabelsThatAreNotAscii) {
     if (line.find(" of 1") != std::string::npos) widths.push_back(display_width(line));
   ASSERT_EQ(widths.size(), 3u);
   EXPECT_EQ(std::ranges::count(widths, widths[0]), 3);
+}
+
+TEST(ConsoleTable, HasAColumnForAFindingThatIsTabled) {
+  ReportData data = fixture::make_data();
+  ProblemReport& problem = data.problems[0];
+  problem.findings = {{.name = "half_life", .title = "half-life", .unit = "s", .tabled = true},
+                      {.name = "sag", .title = "sag"}};
+  problem.table.rows[0].findings["half_life"] = {1.5, 2.5, 3.5};
+  problem.table.rows[0].findings["sag"] = {7.5, 8.5, 9.5};
+  const std::string text = console_table(data, 200);
+  EXPECT_NE(text.find("half-life"), std::string::npos) << text;
+  EXPECT_NE(text.find("[s]"), std::string::npos) << text;
+  EXPECT_NE(text.find("2.500"), std::string::npos) << text;
+  EXPECT_EQ(text.find("sag"), std::string::npos) << text;
+  // It goes first where a terminal is narrow, and is said.
+  EXPECT_NE(console_table(data, 100).find("(left out to fit 100 columns: half-life"), std::string::npos);
+}
+
+TEST(ConsoleTable, CallsTheQualityAsTheKindDoes) {
+  ReportData data = fixture::make_data();
+  data.problems[0].quality_name = "Q";
+  const std::string one = console_table(data);
+  EXPECT_NE(one.find("plate: Q at the start 2.304 (relative error 0.2880); Q* = 0.7376"), std::string::npos) << one;
+  EXPECT_NE(one.find("Gap = (Q − Q*)/(Q at the start − Q*)"), std::string::npos) << one;
+  data.problems.push_back(fixture::make_problem());  // G
+  EXPECT_NE(console_table(data).find("Gap = (quality − quality*)/"), std::string::npos);
 }
 
 }  // namespace

@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include <report/plate.h>
 #include <report/report_data.h>
 
 namespace nodal::report::fixture {
@@ -68,6 +67,8 @@ inline std::vector<CurvePoint> make_curve_down(double from, double to, double be
 inline ProblemReport make_problem() {
   ProblemReport problem;
   problem.kind = "elastic";
+  problem.quality_name = "G";
+  problem.quality_help = "the paper's quality measure: smaller is better";
   problem.table.reference = {"plate", 0.7376255865, "multi-start Gauss-Newton, 12 starts agree", false};
   problem.table.start_quality = 2.304;
   problem.table.start_relative_error = 0.288;
@@ -97,38 +98,8 @@ inline ProblemReport make_problem() {
     curves.by_axis[2] = make_curve_down(2.304, row.quality->median, 1.0, 1234.5);
     problem.curves.push_back(curves);
   }
-  problem.best = {"ceres-levenberg-marquardt", 0, 0.7376, {0.0, 0.0}};
+  problem.best = {"ceres-levenberg-marquardt", 0, 0.7376, {0.0, 0.0}, std::nullopt};
   return problem;
-}
-
-/// Four springs and a diagonal; one load that stretches it, by a tenth, to the right.
-inline Plate make_square(const std::string& title, double soft) {
-  Plate plate{"plate", title, 8.0 * soft, soft, {{0, 0}, {1, 0}, {0, 1}, {1, 1}}, {}, {}};
-  plate.springs = {{0, 1, soft}, {2, 3, soft}, {0, 2, 1.0}, {1, 3, 1.0}, {0, 3, 0.1}};
-  PlateLoad load;
-  load.name = "stretch-x";
-  load.quality = soft;
-  load.displacement = {{0, 0}, {0.1, 0}, {0, 0}, {0.1, 0}};
-  load.reference = {{0, 0}, {0.08, 0}, {0, 0}, {0.08, 0}};
-  load.forces = {{0, 0}, {0.5, 0}, {0, 0}, {0.5, 0}};
-  load.fixed = {0, 2};
-  plate.loads = {load};
-  return plate;
-}
-
-/// Deviations that halve with every iteration, an energy that comes near that of hexagons, masses of full rank.
-inline SystemDetails make_details(std::size_t iterations) {
-  SystemDetails details;
-  for (std::size_t i = 0; i <= iterations; ++i) {
-    const double left = std::pow(0.5, static_cast<double>(i));
-    details.iterations.push_back({.iteration = i,
-                                  .distance_deviation = 0.1 + 0.4 * left,
-                                  .area_deviation = 0.2 + 0.6 * left,
-                                  .energy = elastic::kHexagonalEnergy * (1.03 + left),
-                                  .inner_energy = elastic::kHexagonalEnergy * (1.02 + 0.75 * left)});
-  }
-  details.masses = MassDetails{"positive", "all moments are the body's", 0.125, 6, {{"∫1", 0.0}, {"∫x²", 2.5e-15}}};
-  return details;
 }
 
 inline ReportData make_data() {

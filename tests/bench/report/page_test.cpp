@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
-#include <report/html.h>
+#include <report/page_parts.h>
 #include <report/report.h>
 
 #include <regex>
@@ -21,14 +21,13 @@ std::size_t count(const std::string& text, std::string_view part) {
 
 TEST(Page, LoadsNothingFromOutside) {
   ReportData data = fixture::make_data();
-  data.pictures["plate"] = plates_html(std::vector{fixture::make_square("start", 0.5)});
   const std::string page = report_html(data);
   // Namespaces of SVG inside the scripts are names, not addresses that are loaded.
   const std::regex loads(
       R"((src|href|srcset|action)\s*=\s*["']?\s*(https?:)?//|url\(\s*["']?\s*(https?:)?//|@import|<link|<iframe)");
   const std::string own = page.substr(0, page.find("<script>\n"));
   EXPECT_FALSE(std::regex_search(own, loads));
-  for (const std::string_view script : {charts_js(), report_js(), voronoi_js()})
+  for (const std::string_view script : {charts_js(), report_js()})
     EXPECT_FALSE(std::regex_search(std::string(script), loads));
   EXPECT_EQ(count(page, "<script src"), 0u);
 }
@@ -42,16 +41,11 @@ TEST(Page, LabelsCannotBreakOut) {
   data.failed[0].reason = kHostile;
   data.left_out[0].reason = kHostile;
   data.builds[0].set("revision", kHostile);
-  Plate plate = fixture::make_square(kHostile, 0.5);
-  plate.problem = plate.loads[0].name = kHostile;
-  data.pictures[kHostile] = plates_html(std::vector{plate});
-  problem.details = fixture::make_details(0);
-  problem.details.masses->message = problem.details.masses->form = problem.details.masses->moments[0].name = kHostile;
   const std::string page = report_html(data);
   EXPECT_EQ(count(page, "<img"), 0u);
   // Two scripts and one block of data: what opens is what we opened.
   EXPECT_EQ(count(page, "</script>"), 3u);
-  EXPECT_GE(count(page, "&lt;/script&gt;&lt;img src=x onerror=alert(1)&gt;&amp;&quot;&#39;"), 8u);
+  EXPECT_GE(count(page, "&lt;/script&gt;&lt;img src=x onerror=alert(1)&gt;&amp;&quot;&#39;"), 6u);
 }
 
 TEST(Page, ShowsTheRowsOfTheConsoleTable) {
@@ -61,16 +55,31 @@ TEST(Page, ShowsTheRowsOfTheConsoleTable) {
     EXPECT_NE(page.find(cell), std::string::npos) << cell;
 }
 
-TEST(Page, ShowsTheSystemBeforeItsLoads) {
+// A picture first, then how the problem was made; of what they need each text once.
+TEST(Page, PlacesPartsAndWhatTheyNeed) {
   ReportData data = fixture::make_data();
-  data.pictures["plate"] =
-      plates_html(std::vector{fixture::make_square("start", 0.5), fixture::make_square("best: annealing", 0.25)});
+  data.problems.push_back(data.problems[0]);
+  data.problems[1].table.reference.label = "second";
+  for (const char* label : {"plate", "second"}) data.pictures[label] = {"<b>drawn</b>", ".drawn { }\n", ""};
+  data.problems[0].details = {"<i>made</i>", ".made { }\n", "run(made);\n"};
   const std::string page = report_html(data);
-  EXPECT_EQ(count(page, "<svg class=\"plate system\""), 2u);
-  EXPECT_EQ(count(page, "<svg class=\"plate load\""), 2u);
-  EXPECT_EQ(count(page, "<svg class=\"plate scale\""), 1u);  // one for all pictures of the problem
-  EXPECT_LT(page.find("<svg class=\"plate system\""), page.find("<svg class=\"plate load\""));
-  EXPECT_EQ(count(page, picture_css()), 1u);
+  EXPECT_EQ(count(page, "<b>drawn</b>"), 2u);
+  EXPECT_EQ(count(page, ".drawn { }"), 1u);
+  EXPECT_EQ(count(page, ".made { }"), 1u);
+  EXPECT_LT(page.find("<b>drawn</b>"), page.find("<i>made</i>"));
+  EXPECT_LT(page.find(charts_js()), page.find("run(made);"));
+  EXPECT_LT(page.find("run(made);"), page.find("</body>"));
+}
+
+TEST(Page, HasTheChartsScriptForAPartEvenWithoutARace) {
+  ReportData data = fixture::make_data();
+  data.problems[0].curves.clear();
+  data.problems[0].details = {"<i>made</i>", "", "run(made);\n"};
+  const std::string page = report_html(data);
+  EXPECT_NE(page.find(charts_js()), std::string::npos);
+  EXPECT_NE(page.find("run(made);"), std::string::npos);
+  data.problems[0].details.html.clear();  // no part, nothing that it needs
+  EXPECT_EQ(count(report_html(data), "<script"), 0u);
 }
 
 TEST(Page, WithoutCurvesItHasNeitherChartNorScript) {

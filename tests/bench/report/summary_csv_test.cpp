@@ -77,5 +77,23 @@ TEST(SummaryCsv, HoldsNoControlCharacters) {
   EXPECT_EQ(std::ranges::count_if(text, [](char c) { return static_cast<unsigned char>(c) < 0x20 && c != '\n'; }), 0);
 }
 
+// A problem that lacks another's finding has empty cells.
+TEST(SummaryCsv, HasThreeColumnsForEachFinding) {
+  ReportData data = fixture::make_data();
+  data.problems.push_back(fixture::make_problem());
+  data.problems[0].findings = {{.name = "half_life", .title = "half-life"}};
+  data.problems[0].table.rows[0].findings["half_life"] = {1.5, 2.5, 3.5};
+  std::istringstream lines(summary_csv(data));
+  std::string header, first, second;
+  std::getline(lines, header);
+  std::getline(lines, first);
+  std::getline(lines, second);
+  EXPECT_TRUE(header.ends_with(",half_life_lower,half_life_median,half_life_upper")) << header;
+  EXPECT_TRUE(first.ends_with(",1.5,2.5,3.5")) << first;
+  EXPECT_TRUE(second.ends_with(",,,")) << second;
+  const auto commas = [](const std::string& line) { return std::ranges::count(line, ','); };
+  EXPECT_EQ(commas(first), commas(second));
+}
+
 }  // namespace
 }  // namespace nodal::report

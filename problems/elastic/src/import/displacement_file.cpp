@@ -8,7 +8,6 @@
 
 #include <fmt/format.h>
 
-#include <nodal/file.h>
 #include <nodal/shown.h>
 
 #include "geometry/plane/segment.h"
@@ -92,9 +91,9 @@ void refuse_motion_in_space(const CsvRow& row) {
 
 }  // namespace
 
-std::vector<MeasuredLoad> read_displacement_file(const std::filesystem::path& path, Net& net,
+std::vector<MeasuredLoad> read_displacement_file(InputFiles& files, const std::filesystem::path& path, Net& net,
                                                  const std::vector<std::string>& loads, const TableOptions& options) {
-  const CsvTable table(read_file(path, "displacement file"), path.string(),
+  const CsvTable table(files.read(path, "displacement file"), path.string(),
                        {{"load"}, {"node"}, {"x"}, {"y"}, {"z"}, {"ux", true}, {"uy", true}, {"uz"}, {"weight"}},
                        options.columns);
   const bool by_name = table.has("node");

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include <nodal/elastic/net.h>
+#include <nodal/input_files.h>
 
 #include "import/table_options.h"
 
@@ -27,8 +28,8 @@ struct MeasuredLoad {
 };
 
 /// One entry per name, in their order. What of the table is left out is added to the net's remarks.
-[[nodiscard]] std::vector<MeasuredLoad> read_displacement_file(const std::filesystem::path& path, Net& net,
-                                                               const std::vector<std::string>& loads,
+[[nodiscard]] std::vector<MeasuredLoad> read_displacement_file(InputFiles& files, const std::filesystem::path& path,
+                                                               Net& net, const std::vector<std::string>& loads,
                                                                const TableOptions& options = {});
 
 }  // namespace nodal::elastic

@@ -21,13 +21,13 @@ void require_closed(const Ring& ring, std::size_t number, const Source& source) 
                                          name, first[0], first[1], last[0], last[1]));
 }
 
-FileOutline read_outline_file(const std::filesystem::path& path) {
+FileOutline read_outline_file(InputFiles& files, const std::filesystem::path& path) {
   const std::string extension = extension_of(path);
   const bool wkt = extension == ".wkt";
   if (!wkt && extension != ".geojson" && extension != ".json")
     throw InputError({path.string(), 0}, fmt::format("an outline file must end in .wkt, .geojson or .json, not in '{}'",
                                                      path.extension().string()));
-  const std::string text = read_file(path, "outline file");
+  const std::string& text = files.read(path, "outline file");
   return wkt ? parse_wkt(text, path.string()) : parse_geojson(text, path.string());
 }
 

@@ -19,6 +19,7 @@
 
 #include <nodal/elastic/point.h>
 #include <nodal/error.h>
+#include <nodal/input_files.h>
 
 namespace nodal::elastic {
 
@@ -39,6 +40,6 @@ struct FileOutline {
 
 /// By its extension: .wkt, or .geojson and .json. InputError with the path for another, or for a file that can't be
 /// read.
-[[nodiscard]] FileOutline read_outline_file(const std::filesystem::path& path);
+[[nodiscard]] FileOutline read_outline_file(InputFiles& files, const std::filesystem::path& path);
 
 }  // namespace nodal::elastic

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <nodal/elastic/stiffness.h>
-#include <nodal/file.h>
 #include <nodal/shown.h>
 
 #include <algorithm>
@@ -37,8 +36,8 @@ std::string whole_system_advice(const std::filesystem::path& path) {
 
 }  // namespace
 
-std::vector<double> read_stiffness_file(const std::filesystem::path& path, const Net& net) {
-  const SystemJson file = parse_system_json(read_file(path, "stiffness file"), path.string());
+std::vector<double> read_stiffness_file(InputFiles& files, const std::filesystem::path& path, const Net& net) {
+  const SystemJson file = parse_system_json(files.read(path, "stiffness file"), path.string());
   if (!file.has_springs)
     throw InputError({path.string(), 0},
                      "a stiffness file must be {\"springs\": [{\"nodes\": [i, j], \"stiffness\": k}, …]}");
@@ -65,6 +64,11 @@ std::vector<double> read_stiffness_file(const std::filesystem::path& path, const
                                    net.id(net.springs[e].first), net.id(net.springs[e].second),
                                    file.has_nodes ? whole_system_advice(path) : ""));
   return stiffness;
+}
+
+std::vector<double> read_stiffness_file(const std::filesystem::path& path, const Net& net) {
+  InputFiles files;
+  return read_stiffness_file(files, path, net);
 }
 
 }  // namespace nodal::elastic

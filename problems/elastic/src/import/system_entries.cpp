@@ -13,10 +13,11 @@ namespace {
 
 bool is_json(const std::filesystem::path& path) { return extension_of(path) == ".json"; }
 
-SystemJson read_system_json(const std::filesystem::path& path, const char* what, const TableOptions& options) {
+SystemJson read_system_json(InputFiles& files, const std::filesystem::path& path, const char* what,
+                            const TableOptions& options) {
   if (!options.columns.names.empty())
     throw InputError(options.columns.source, "'columns' belongs to a CSV file, and this one is JSON");
-  return parse_system_json(read_file(path, what), path.string());
+  return parse_system_json(files.read(path, what), path.string());
 }
 
 [[noreturn]] void refuse_without(const std::filesystem::path& path, const char* key) {
@@ -25,15 +26,16 @@ SystemJson read_system_json(const std::filesystem::path& path, const char* what,
 
 }  // namespace
 
-Entries<NodeEntry> read_node_entries(const std::filesystem::path& path, const TableOptions& options) {
+Entries<NodeEntry> read_node_entries(InputFiles& files, const std::filesystem::path& path,
+                                     const TableOptions& options) {
   Entries<NodeEntry> entries;
   if (is_json(path)) {
-    SystemJson system = read_system_json(path, "node file", options);
+    SystemJson system = read_system_json(files, path, "node file", options);
     if (!system.has_nodes) refuse_without(path, "nodes");
     entries.list = std::move(system.nodes);
     return entries;
   }
-  const CsvTable table(read_file(path, "node file"), path.string(),
+  const CsvTable table(files.read(path, "node file"), path.string(),
                        {{"node"}, {"x", true}, {"y", true}, {"z"}, {"mass"}}, options.columns);
   for (std::size_t i = 0; i < table.size(); ++i) {
     const CsvRow row = table.row(i);
@@ -46,16 +48,17 @@ Entries<NodeEntry> read_node_entries(const std::filesystem::path& path, const Ta
   return entries;
 }
 
-Entries<SpringEntry> read_spring_entries(const std::filesystem::path& path, const TableOptions& options) {
+Entries<SpringEntry> read_spring_entries(InputFiles& files, const std::filesystem::path& path,
+                                         const TableOptions& options) {
   Entries<SpringEntry> entries;
   if (is_json(path)) {
-    SystemJson system = read_system_json(path, "spring file", options);
+    SystemJson system = read_system_json(files, path, "spring file", options);
     if (!system.has_springs) refuse_without(path, "springs");
     entries.list = std::move(system.springs);
     entries.bounds = system.bounds;
     return entries;
   }
-  const CsvTable table(read_file(path, "spring file"), path.string(),
+  const CsvTable table(files.read(path, "spring file"), path.string(),
                        {{"first", true}, {"second", true}, {"stiffness"}, {"length"}, {"group"}}, options.columns);
   for (std::size_t i = 0; i < table.size(); ++i) {
     const CsvRow row = table.row(i);

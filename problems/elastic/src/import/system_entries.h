@@ -12,6 +12,7 @@
 
 #include <nodal/elastic/point.h>
 #include <nodal/error.h>
+#include <nodal/input_files.h>
 
 #include "import/table_options.h"
 
@@ -40,7 +41,9 @@ struct Entries {
 
 /// The nodes or springs of a file: JSON where its name ends in .json (system_json.h), else CSV.
 /// InputError for columns or keys that are unknown or missing, and values of another type.
-[[nodiscard]] Entries<NodeEntry> read_node_entries(const std::filesystem::path& path, const TableOptions& options);
-[[nodiscard]] Entries<SpringEntry> read_spring_entries(const std::filesystem::path& path, const TableOptions& options);
+[[nodiscard]] Entries<NodeEntry> read_node_entries(InputFiles& files, const std::filesystem::path& path,
+                                                   const TableOptions& options);
+[[nodiscard]] Entries<SpringEntry> read_spring_entries(InputFiles& files, const std::filesystem::path& path,
+                                                       const TableOptions& options);
 
 }  // namespace nodal::elastic

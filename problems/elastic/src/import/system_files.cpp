@@ -76,8 +76,8 @@ void require_rest_length(const SpringEntry& entry, const Spring& spring, double 
 
 }  // namespace
 
-void read_node_file(const std::filesystem::path& path, Net& net, const TableOptions& options) {
-  const Entries<NodeEntry> read = read_node_entries(path, options);
+void read_node_file(InputFiles& files, const std::filesystem::path& path, Net& net, const TableOptions& options) {
+  const Entries<NodeEntry> read = read_node_entries(files, path, options);
   const std::vector<NodeEntry>& entries = read.list;
   if (entries.size() < 2) throw InputError({path.string(), 0}, "a system needs at least 2 nodes");
   const bool named = entries[0].id.has_value();
@@ -104,8 +104,9 @@ void read_node_file(const std::filesystem::path& path, Net& net, const TableOpti
     if (!remark.empty()) net.remarks.push_back(remark);
 }
 
-SpringFile read_spring_file(const std::filesystem::path& path, Net& net, const TableOptions& options) {
-  const Entries<SpringEntry> read = read_spring_entries(path, options);
+SpringFile read_spring_file(InputFiles& files, const std::filesystem::path& path, Net& net,
+                            const TableOptions& options) {
+  const Entries<SpringEntry> read = read_spring_entries(files, path, options);
   const std::vector<SpringEntry>& entries = read.list;
   if (entries.empty()) throw InputError({path.string(), 0}, "the file has no springs");
   refuse_too_few_groups(entries);

@@ -18,6 +18,7 @@
 #include <vector>
 
 #include <nodal/elastic/net.h>
+#include <nodal/input_files.h>
 
 #include "import/table_options.h"
 
@@ -25,7 +26,7 @@ namespace nodal::elastic {
 
 /// Fills nodes, ids, masses, layout and remarks of a net. Refused: a node that stands twice by name or by place, a mass
 /// that is negative or given for some nodes only, several z.
-void read_node_file(const std::filesystem::path& path, Net& net, const TableOptions& options = {});
+void read_node_file(InputFiles& files, const std::filesystem::path& path, Net& net, const TableOptions& options = {});
 
 struct SpringFile {
   std::vector<Spring> springs;
@@ -37,7 +38,7 @@ struct SpringFile {
 /// Columns that are left out are added to the net's remarks.
 /// Refused: a node that the net doesn't have, a spring from a node to itself, one that stands twice, a stiffness that
 /// is no positive number, a stiffness or group given for some springs only, a length that isn't the nodes' distance.
-[[nodiscard]] SpringFile read_spring_file(const std::filesystem::path& path, Net& net,
+[[nodiscard]] SpringFile read_spring_file(InputFiles& files, const std::filesystem::path& path, Net& net,
                                           const TableOptions& options = {});
 
 }  // namespace nodal::elastic

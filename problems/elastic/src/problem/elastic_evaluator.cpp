@@ -69,15 +69,17 @@ Evaluation ElasticEvaluator::evaluate(std::span<const double> x, bool refined) {
   return evaluate_stiffness(refined);
 }
 
+Finding spread_of(std::span<const double> stiffness) {
+  const auto [softest, stiffest] = std::ranges::minmax(stiffness);
+  return {std::string(kSpread), stiffest / softest};
+}
+
 Evaluation ElasticEvaluator::value(std::span<const double> x) { return evaluate(x, false); }
 
 Evaluation ElasticEvaluator::audit(std::span<const double> x) {
   health_ = {};
   const Evaluation result = evaluate(x, true);
-  if (result.ok()) {
-    const auto [softest, stiffest] = std::ranges::minmax(stiffness_);
-    health_.spread = stiffest / softest;
-  }
+  if (result.ok()) health_.findings = {spread_of(stiffness_)};
   return result;
 }
 

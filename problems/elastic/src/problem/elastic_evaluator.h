@@ -26,6 +26,10 @@ namespace nodal::elastic {
 
 class ElasticMoves;
 
+/// The finding of every point: k_max / k_min, the stiffest spring over the softest.
+inline constexpr std::string_view kSpread = "spread";
+[[nodiscard]] Finding spread_of(std::span<const double> stiffness);
+
 class ElasticEvaluator final : public Evaluator {
  public:
   explicit ElasticEvaluator(const ElasticModel& model);

@@ -8,6 +8,7 @@
 
 #include "displacements/elastic_model.h"
 #include "problem/elastic_evaluator.h"
+#include "show/exhibit.h"
 #include "starts/stiffness_bounds.h"
 
 namespace nodal::elastic {
@@ -70,11 +71,15 @@ struct ElasticProblem::Data {
   Space space;
   std::vector<double> start_stiffness;
   std::size_t moved_starts = 0;
+  std::unique_ptr<const show::ElasticExhibit> exhibit;
 };
 
-ElasticProblem::ElasticProblem(Scene scene) : data_(std::make_unique<Data>(std::move(scene))) {}
+ElasticProblem::ElasticProblem(Scene scene) : data_(std::make_unique<Data>(std::move(scene))) {
+  data_->exhibit = std::make_unique<const show::ElasticExhibit>(*this);
+}
 ElasticProblem::~ElasticProblem() = default;
 
+const Exhibit* ElasticProblem::exhibit() const { return data_->exhibit.get(); }
 const Space& ElasticProblem::space() const { return data_->space; }
 const Scene& ElasticProblem::scene() const noexcept { return data_->model.scene; }
 const Parameters& ElasticProblem::parameters() const noexcept { return data_->model.parameters; }
@@ -116,8 +121,7 @@ State ElasticProblem::solve(std::span<const double> stiffness) const {
   if (!result.ok()) return state;
   state.quality = quality(result.cost);
   state.relative_error = relative_error(result.cost).value_or(0.0);
-  const auto [softest, stiffest] = std::ranges::minmax(stiffness);
-  state.health.spread = stiffest / softest;
+  state.health.findings = {spread_of(stiffness)};
   const double unit = data_->model.displacement_unit;
   state.loads.resize(scene().loads.loads.size());
   for (std::size_t g = 0; g < data_->model.groups.size(); ++g) {
@@ -177,8 +181,6 @@ Value ElasticProblem::details() const {
   list("findings", scene().findings);
   return details;
 }
-
-std::string ElasticProblem::fingerprint() const { return scene().files_hash; }
 
 std::vector<Stage> ElasticProblem::stages() const {
   const Scene& s = scene();

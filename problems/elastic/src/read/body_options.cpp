@@ -152,9 +152,9 @@ OptionSchema body_fields() {
   return {
       {.name = "shape",
        .type = OptionType::text,
-       .default_text =
-           "by the keys: size makes a rectangle, of three numbers a box, outline a polygon, file a file; without any rectangle, or none where "
-           "points come from a file",
+       .default_text = "by the keys: size makes a rectangle, of three numbers a box, outline a polygon, file a file; "
+                       "without any rectangle, or none where "
+                       "points come from a file",
        .choices = {"rectangle", "disc", "ring", "regular", "polygon", "file", "none", "box"},
        .help =
            "outline of the body; regular is a regular polygon, none says that only nodes are known; box is a body in "
@@ -242,7 +242,7 @@ Body read_rings(const Options& body, const ProblemContext& context, const std::s
   if (shape == "none") return {.name = "none", .rings = {}, .thickness = thickness, .corner_turn = corner_turn};
   if (shape == "file") {
     const std::filesystem::path file = body.text("file");
-    FileOutline outline = read_outline_file(context.directory / file);
+    FileOutline outline = read_outline_file(context.files, context.files.path(file));
     scale_rings(body, outline.rings);
     Body read =
         checked_body(std::move(outline.rings), file.filename().string(), thickness, corner_turn, outline.source);

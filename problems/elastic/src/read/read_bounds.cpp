@@ -48,7 +48,7 @@ std::pair<double, std::string> typical(const Options& springs, const ProblemCont
   if (!study.stiffness.empty()) return {geometric_mean(study.stiffness), "the springs' stiffnesses"};
   if (springs.has("initial") && springs.at("initial").is_table())
     if (const Options start(springs.at("initial")); start.has("file"))
-      return {geometric_mean(read_stiffness_file(context.directory / start.text("file"), scene.net)),
+      return {geometric_mean(read_stiffness_file(context.files, context.files.path(start.text("file")), scene.net)),
               "the start's stiffnesses"};
   return {geometric_mean(paper.of(scene).stiffness), "the start by 'paper' at its best factor"};
 }

@@ -80,7 +80,7 @@ StudyNet read_net(const Options& problem, const ProblemContext& context, const B
   if (springs.has("file")) {
     TableOptions options = read_table_options(springs);
     options.scale = read_table_options(problem.table("points")).scale;  // lengths are in the nodes' unit
-    SpringFile file = read_spring_file(context.directory / springs.text("file"), net, options);
+    SpringFile file = read_spring_file(context.files, context.files.path(springs.text("file")), net, options);
     net.topology = fmt::format("from {}", springs.text("file"));
     net.grid = {};
     net.triangles.clear();

@@ -297,7 +297,7 @@ StudyPoints read_points(const Options& problem, const ProblemContext& context, c
                        "layout 'file' needs a file with the nodes: points = { file = \"nodes.csv\" }");
     StudyPoints read;
     read.net.body = body;
-    read_node_file(context.directory / points.text("file"), read.net, read_table_options(points));
+    read_node_file(context.files, context.files.path(points.text("file")), read.net, read_table_options(points));
     if (!problem.table("body").has("on_outline"))
       read.net.body.on_outline = on_outline_as_written(in_plane(read.net.nodes), body);
     find_border(read.net);

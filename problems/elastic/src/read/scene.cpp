@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <nodal/elastic/elastic_problem.h>
 #include <nodal/elastic/stiffness.h>
-#include <nodal/file.h>
-#include <nodal/random.h>
 
 #include <algorithm>
 #include <cmath>
@@ -126,7 +124,7 @@ void read_start(const Options& springs, const ProblemContext& context, const std
   if (table.has("file")) {
     if (table.has("scale")) throw InputError(initial.source, "'scale' belongs to a rule; a file is taken as it is");
     scene.initial_rule = "file " + table.text("file");
-    scene.initial_stiffness = read_stiffness_file(context.directory / table.text("file"), scene.net);
+    scene.initial_stiffness = read_stiffness_file(context.files, context.files.path(table.text("file")), scene.net);
     require_within_bounds(scene.initial_stiffness, initial.source, scene);
     return;
   }
@@ -205,16 +203,6 @@ void require_something_to_fit(const Scene& scene, const Source& weights, const S
                                   "since any stiff net stays where it is; measure nodes that the loads move");
 }
 
-// The contents of the files that a scene is read from; that of a start counts by the start's values.
-std::string hash_files(const Options& options, const ProblemContext& context) {
-  std::string contents;
-  for (const char* table : {"body", "points", "springs", "reference"}) {
-    const Options part = options.table(table);
-    if (part.has("file")) contents += read_file(context.directory / part.text("file"), table) + '\0';
-  }
-  return contents.empty() ? std::string() : hash128(contents);
-}
-
 // Of nodes that come from a file or a clipped grid: what lies on the outline, and what may be meant to.
 void tell_of_outline(const Options& points, Scene& scene) {
   const Net& net = scene.net;
@@ -273,7 +261,6 @@ Scene make_scene(const Options& options, const ProblemContext& context) {
   const bool of_file = springs.has("initial") ? springs.at("initial").is_table() && springs.at("initial").find("file")
                                               : !study.stiffness.empty();
   if (of_file) tell_of_ties(scene);
-  scene.files_hash = hash_files(options, context);
   return scene;
 }
 

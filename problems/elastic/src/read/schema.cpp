@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <nodal/elastic/elastic_problem.h>
-#include <nodal/provenance.h>
 
 #include <fmt/format.h>
 
@@ -11,12 +10,8 @@
 #include "read/read_points.h"
 #include "read/study_loads.h"
 #include "starts/stiffness_bounds.h"
-#include "system/factor/cholesky.h"
-#include "triangulation/triangulation.h"
 
-namespace nodal {
-
-namespace elastic {
+namespace nodal::elastic {
 
 namespace {
 
@@ -161,21 +156,4 @@ OptionSchema elastic_schema() {
   };
 }
 
-}  // namespace elastic
-
-void register_elastic(Registry& registry) {
-  add_library_version("BLAS", elastic::blas_library());
-  add_library_version("CHOLMOD", elastic::cholmod_version());
-  if (elastic::triangulation_available()) add_library_version("CGAL", elastic::triangulation_library());
-  registry.add(ProblemDescription{
-      .kind = "elastic",
-      .summary = "spring stiffnesses with which a net deforms like an elastic plate",
-      .reference = "O. Deussen, L. Kobbelt, P. Tücke, Using Simulated Annealing to Obtain Good Nodal Approximations of "
-                   "Deformable Bodies, 1995",
-      .options = elastic::elastic_schema(),
-      .make = [](const Options& options, const ProblemContext& context) -> std::shared_ptr<const Problem> {
-        return std::make_shared<elastic::ElasticProblem>(elastic::make_scene(options, context));
-      }});
-}
-
-}  // namespace nodal
+}  // namespace nodal::elastic

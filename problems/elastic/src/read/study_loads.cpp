@@ -271,8 +271,8 @@ void read_loads(const Options& problem, const ProblemContext& context, Scene& sc
   }
   std::vector<std::string> names;
   for (const LoadCase& load : scene.loads.loads) names.push_back(load.name);
-  const std::vector<MeasuredLoad> measured = read_displacement_file(context.directory / reference.text("file"),
-                                                                    scene.net, names, read_table_options(reference));
+  const std::vector<MeasuredLoad> measured = read_displacement_file(
+      context.files, context.files.path(reference.text("file")), scene.net, names, read_table_options(reference));
   for (std::size_t l = 0; l < cases.size(); ++l)
     hold_as_measured(cases[l], measured[l], scene.net, scene.loads.groups[l]);
   apply_measurements(measured, scene.net.freedoms(), scene.loads);

@@ -224,7 +224,8 @@ class OutlineFile : public testing::Test {
     Value options;
     options.set("shape", "file");
     options.set("file", file);
-    return read_body(resolve_options(body_fields(), options, "'body'"), {directory_.path(), {}}, "rectangle");
+    InputFiles files(directory_.path());
+    return read_body(resolve_options(body_fields(), options, "'body'"), {files, {}}, "rectangle");
   }
   std::string refusal(const std::string& file) {
     return message_of([&] { (void)body(file); });
@@ -251,7 +252,8 @@ TEST_F(OutlineFile, IsScaledAndSaysWhatItLeavesOut) {
   Value options;
   options.set("file", "mm.wkt");
   options.set("scale", 0.001);
-  const Body read = read_body(resolve_options(body_fields(), options, "'body'"), {directory_.path(), {}}, "rectangle");
+  InputFiles files(directory_.path());
+  const Body read = read_body(resolve_options(body_fields(), options, "'body'"), {files, {}}, "rectangle");
   EXPECT_EQ(read.rings, (std::vector<Ring>{{{0, 0}, {4, 0}, {4, 4}, {0, 4}}}));
   EXPECT_EQ(read.remarks, (std::vector<std::string>{"mm.wkt: SRID 0 is left out, coordinates are taken for metres",
                                                     "mm.wkt: z, 1 everywhere, is left out"}));
@@ -267,12 +269,13 @@ TEST(Polygon, IsScaledWithItsHoles) {
   options.set("outline", points({{0, 0}, {4000, 0}, {4000, 3000}}));
   options.set("holes", Value::List{points({{2000, 500}, {2000, 1000}, {2500, 1000}})});
   options.set("scale", 0.001);
-  const Body read = read_body(resolve_options(body_fields(), options, "'body'"), {}, "rectangle");
+  InputFiles files;
+  const Body read = read_body(resolve_options(body_fields(), options, "'body'"), {files, {}}, "rectangle");
   EXPECT_EQ(read.rings, (std::vector<Ring>{{{0, 0}, {4, 0}, {4, 3}}, {{2, 0.5}, {2, 1}, {2.5, 1}}}));
   Value rectangle;
   rectangle.set("scale", 2.0);
   EXPECT_NE(message_of([&] {
-              (void)read_body(resolve_options(body_fields(), rectangle, "'body'"), {}, "rectangle");
+              (void)read_body(resolve_options(body_fields(), rectangle, "'body'"), {files, {}}, "rectangle");
             }).find("'scale' in 'body' belongs to shape 'polygon', 'file', not to 'rectangle'"),
             std::string::npos);
 }

@@ -49,7 +49,6 @@ struct Scene {
   std::string solver = "auto";     ///< auto | lanes | simplicial | supernodal
   double stress = 1.0;             ///< of the plate loads
   Value masses;                    ///< how well the net's masses have the body's moments; an empty table without masses
-  std::string files_hash;          ///< of the files of body, points, springs and reference; a start counts by values
   std::string measured_reference;  ///< where the reference comes from, for `explain`; empty for the closed form
   MovesOptions moves = {};
   std::string supports_choice = {};          ///< of the plate's loads where a study doesn't say, for `explain`
@@ -99,7 +98,8 @@ class ElasticProblem final : public Problem {
   /// "voronoi": the iterations that spread the points; "masses": how well they have the body's moments; "supports":
   /// those of the plate's loads where the study doesn't say; "selections" and "findings" of the scene.
   [[nodiscard]] Value details() const override;
-  [[nodiscard]] std::string fingerprint() const override;
+  /// Its values are the stiffnesses of the springs.
+  [[nodiscard]] const Exhibit* exhibit() const override;
 
   [[nodiscard]] const Scene& scene() const noexcept;
   [[nodiscard]] const Net& net() const noexcept { return scene().net; }

@@ -5,18 +5,22 @@
 ///
 /// Shapes   motion: [2 · nodes], the largest displacement 1; to first order no spring changes its length along it.
 
+#include <string>
+#include <utility>
 #include <vector>
 
 #include <nodal/elastic/net.h>
-#include <nodal/error.h>
+#include <nodal/exhibit.h>
 
 namespace nodal::elastic {
 
-/// Bad input of a kind that can be drawn.
-class MechanismError final : public InputError {
+class MechanismError final : public DrawnInputError {
  public:
   MechanismError(const Source& source, const std::string& message, Net of_net, std::vector<double> of_motion)
-      : InputError(source, message), net(std::move(of_net)), motion(std::move(of_motion)) {}
+      : DrawnInputError(source, message), net(std::move(of_net)), motion(std::move(of_motion)) {}
+
+  /// The net, and the nodes that move.
+  [[nodiscard]] std::string picture(const std::string& name) const override;
 
   Net net;
   std::vector<double> motion;

@@ -13,6 +13,7 @@
 
 #include <nodal/elastic/material.h>
 #include <nodal/elastic/net.h>
+#include <nodal/input_files.h>
 
 namespace nodal::elastic {
 
@@ -34,6 +35,9 @@ namespace nodal::elastic {
 /// Reads the springs of a system file, {"springs": [{"nodes": [i, j], "stiffness": k}, …]}, in any order; nodes by what
 /// the net calls them. Other keys than a system file's are refused; only stiffnesses are taken.
 /// InputError for a missing, doubled or unknown spring, or a stiffness that is not a positive number.
+[[nodiscard]] std::vector<double> read_stiffness_file(InputFiles& files, const std::filesystem::path& path,
+                                                      const Net& net);
+/// One that no study names.
 [[nodiscard]] std::vector<double> read_stiffness_file(const std::filesystem::path& path, const Net& net);
 
 /// What a system file says beyond nodes and springs; what is empty is left out.

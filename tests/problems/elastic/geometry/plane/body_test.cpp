@@ -323,7 +323,8 @@ TEST(Border, ListsItsNodesAlongEachRing) {
 // ────────────────────────────────────────────────────────────────────────────────────────────────────────────
 
 Body body_of(const std::string& json) {
-  return read_body(resolve_options(body_fields(), parse_json(json, "s.toml"), "'body'"), {}, "rectangle");
+  InputFiles files;
+  return read_body(resolve_options(body_fields(), parse_json(json, "s.toml"), "'body'"), {files, {}}, "rectangle");
 }
 
 std::string refusal(const std::string& json) {
@@ -368,9 +369,10 @@ TEST(BodyOptions, MakePolygonsWithHoles) {
 }
 
 TEST(BodyOptions, RefuseKeysOfOtherShapes) {
-  EXPECT_EQ(refusal("{\"shape\": \"disc\",\n\"radius\": 1,\n\"size\": [1, 1]}"),
-            "s.toml:3: 'size' in 'body' belongs to shape 'rectangle', 'box', not to 'disc'; 'disc' has 'radius', 'sides', "
-            "'centre'");
+  EXPECT_EQ(
+      refusal("{\"shape\": \"disc\",\n\"radius\": 1,\n\"size\": [1, 1]}"),
+      "s.toml:3: 'size' in 'body' belongs to shape 'rectangle', 'box', not to 'disc'; 'disc' has 'radius', 'sides', "
+      "'centre'");
   EXPECT_EQ(refusal(R"({"radius": 1})"),
             "s.toml:1: 'radius' in 'body' belongs to shape 'disc', 'ring', 'regular', not to 'rectangle'; 'rectangle' "
             "has 'size', 'corner'");

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+/// The parts that a page is put together from.
+
+#include <string>
+#include <string_view>
+
+#include "report_data.h"
+
+namespace nodal::report {
+
+/// The table of one problem, in a box that scrolls by itself.
+[[nodiscard]] std::string table_html(const ProblemReport& problem);
+/// The chart of one problem: its data as JSON, and the empty element that report.js draws into. Empty without curves.
+[[nodiscard]] std::string chart_html(const ProblemReport& problem, std::size_t index);
+
+/// Files that the build has put into the program. charts_js comes before every other script but Vega.
+[[nodiscard]] std::string_view report_css();
+[[nodiscard]] std::string_view charts_js();
+[[nodiscard]] std::string_view report_js();
+[[nodiscard]] std::string_view vega_js();
+
+}  // namespace nodal::report

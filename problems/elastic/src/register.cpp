@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the program is told of the elastic problem.
+#include <fmt/format.h>
+
+#include <nodal/elastic/elastic_problem.h>
+#include <nodal/provenance.h>
+
+#include "battery/check.h"
+#include "problem/elastic_evaluator.h"
+#include "show/details.h"
+#include "show/drawing_cost.h"
+#include "system/factor/cholesky.h"
+#include "triangulation/triangulation.h"
+
+namespace nodal {
+
+namespace elastic {
+
+namespace {
+
+Listing topology_list() {
+  Listing list{"topologies", {}};
+  for (const Topology& topology : topologies())
+    list.lines.push_back(fmt::format("{}: {}{}", topology.name,
+                                     topology.lacks.empty() ? topology.summary : "not here: it needs " + topology.lacks,
+                                     topology.mechanism ? " (a mechanism: refused)" : ""));
+  return list;
+}
+
+ProblemDescription describe_elastic() {
+  return {.kind = "elastic",
+          .summary = "spring stiffnesses with which a net deforms like an elastic plate",
+          .reference =
+              "O. Deussen, L. Kobbelt, P. Tücke, Using Simulated Annealing to Obtain Good Nodal "
+              "Approximations of Deformable Bodies, 1995",
+          .options = elastic_schema(),
+          .make = [](const Options& options, const ProblemContext& context) -> std::shared_ptr<const Problem> {
+            return std::make_shared<ElasticProblem>(make_scene(options, context));
+          },
+          .quality_name = "G",
+          .quality_help = "the paper's quality measure: smaller is better",
+          .findings = {{.name = std::string(kSpread),
+                        .title = "k_max/k_min",
+                        .help = "the stiffest spring of the best point over the softest"}},
+          .show_details = show::details_part,
+          .too_costly_to_draw = show::drawing_refusal,
+          .commands = {battery::check_command()},
+          .listings = {topology_list()},
+          .samples = {{},
+                      {"small", "points = { layout = \"grid\", counts = [4, 3] }\n"},
+                      {"tied", "springs = { parameters = \"by-direction\" }\nloads = { supports = \"minimal\" }\n"}}};
+}
+
+}  // namespace
+
+}  // namespace elastic
+
+void register_elastic(Registry& registry) {
+  add_library_version("BLAS", elastic::blas_library());
+  add_library_version("CHOLMOD", elastic::cholmod_version());
+  if (elastic::triangulation_available()) add_library_version("CGAL", elastic::triangulation_library());
+  registry.add(elastic::describe_elastic());
+}
+
+}  // namespace nodal

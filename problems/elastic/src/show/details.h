@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+/// What a manifest knows of how a net was made (ElasticProblem::details, as another build may have written them).
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <nodal/elastic/net.h>
+#include <nodal/exhibit.h>
+#include <nodal/value.h>
+
+namespace nodal::elastic::show {
+
+struct MassDetails {
+  struct Moment {
+    std::string name;       ///< "∫x²"
+    double relative = 0.0;  ///< how far it is off
+  };
+
+  std::string form, message;
+  double smallest = 0.0;  ///< kg
+  int rank = 0;           ///< of the six conditions, how many are independent of each other
+  std::vector<Moment> moments;
+};
+
+struct SystemDetails {
+  std::vector<VoronoiStep> iterations;  ///< empty without iterated Voronoi regions
+  std::optional<MassDetails> masses;
+};
+
+/// What isn't there, or isn't what it should be, is left out: manifests of other builds are read, too.
+[[nodiscard]] SystemDetails read_details(const Value& details);
+
+/// How even the points became, with a chart that voronoi.js draws, and how well the masses move like the body. Empty
+/// where the details say neither.
+[[nodiscard]] std::string details_html(const SystemDetails& details);
+/// The same with what a page needs for it.
+[[nodiscard]] ReportPart details_part(const Value& details);
+
+}  // namespace nodal::elastic::show

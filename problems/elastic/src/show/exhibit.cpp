@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "show/exhibit.h"
+
+#include <fmt/format.h>
+
+#include <nodal/elastic/determination.h>
+#include <nodal/elastic/pruning.h>
+#include <nodal/elastic/stiffness.h>
+
+#include "show/drawing_cost.h"
+#include "show/make_picture.h"
+#include "show/picture_svg.h"
+#include "show/pictures_html.h"
+#include "show/state.h"
+#include "show/style.h"
+
+namespace nodal::elastic::show {
+
+namespace {
+
+// Solved once, shown in several ways.
+class SolvedSystem final : public ShownSystem {
+ public:
+  SolvedSystem(const ElasticProblem& problem, std::string label, std::span<const double> stiffness)
+      : problem_(problem),
+        label_(std::move(label)),
+        stiffness_(stiffness.begin(), stiffness.end()),
+        state_(problem.solve(stiffness)) {}
+
+  [[nodiscard]] std::string failure() const override {
+    if (state_.status == Status::ok) return {};
+    return fmt::format("{}: {}", to_string(state_.status), state_.message);
+  }
+  [[nodiscard]] Value data() const override { return state_json(label_, problem_, stiffness_, state_); }
+  [[nodiscard]] std::string text() const override { return state_text(label_, problem_, stiffness_, state_); }
+  [[nodiscard]] std::string picture(const std::string& title) const override {
+    return picture_svg(make_picture(problem_, stiffness_, state_, label_, title));
+  }
+
+ private:
+  const ElasticProblem& problem_;
+  std::string label_;
+  std::vector<double> stiffness_;
+  State state_;
+};
+
+}  // namespace
+
+std::vector<double> ElasticExhibit::values(std::span<const double> x) const { return problem_.stiffness(x); }
+
+std::vector<double> ElasticExhibit::start() const { return problem_.start_stiffness(); }
+
+std::vector<double> ElasticExhibit::read(const std::filesystem::path& file) const {
+  return read_stiffness_file(file, problem_.net());
+}
+
+std::unique_ptr<ShownSystem> ElasticExhibit::show(const std::string& label, std::span<const double> stiffness) const {
+  return std::make_unique<SolvedSystem>(problem_, label, stiffness);
+}
+
+std::vector<std::string> ElasticExhibit::notes() const { return problem_.scene().findings; }
+
+std::vector<std::string> ElasticExhibit::notes_at(std::span<const double> stiffness) const {
+  std::string text = describe(determine(problem_, stiffness), problem_);
+  return text.empty() ? std::vector<std::string>() : std::vector{std::move(text)};
+}
+
+ReportPart ElasticExhibit::report(const std::string& label, std::span<const LabelledPoint> points) const {
+  if (problem_.net().springs.size() > kMostPicturedSprings) return {};
+  std::vector<Picture> pictures;
+  for (const LabelledPoint& point : points)
+    if (auto picture = make_picture(problem_, point.x, label, point.label)) pictures.push_back(std::move(*picture));
+  return {pictures_html(pictures), std::string(picture_css()) + std::string(pictures_css()), {}};
+}
+
+std::vector<ExportFormat> ElasticExhibit::formats() const { return {{"system", ".json", "JSON"}}; }
+
+std::string ElasticExhibit::write(const ExportFormat& /*format*/, std::span<const double> stiffness) const {
+  return system_json(problem_, {stiffness.begin(), stiffness.end()});
+}
+
+Reduced ElasticExhibit::reduce(std::span<const double> stiffness, double most_loss) const {
+  const Pruned pruned = prune(problem_, stiffness, most_loss);
+  Reduced reduced{nullptr, {}, describe(pruned)};
+  if (pruned.removed.empty()) return reduced;
+  reduced.problem = pruned.problem;
+  reduced.values = pruned.stiffness;
+  return reduced;
+}
+
+}  // namespace nodal::elastic::show

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "show/make_picture.h"
+
+#include <algorithm>
+
+#include "show/projection.h"
+
+namespace nodal::elastic::show {
+
+namespace {
+
+PicturedLoad make_load(const Projection& projection, const LoadState& state, const LoadCase& load,
+                       const SupportGroup& group) {
+  PicturedLoad drawn{state.name,
+                     state.quality,
+                     projection.of(state.displacement),
+                     projection.of(state.reference),
+                     projection.of(load.forces),
+                     {},
+                     known_freedoms(group, state.reference)};
+  if (state.reference.empty()) {  // nothing of it is known, so nothing is drawn
+    drawn.reference = drawn.displacement;
+    drawn.known.assign(drawn.displacement.size(), {false, false});
+  }
+  // Supports come by ascending freedom, so a node held in both directions stands twice in a row.
+  for (const Support& s : state.supports)
+    if (drawn.fixed.empty() || drawn.fixed.back() != s.node) drawn.fixed.push_back(s.node);
+  return drawn;
+}
+
+Picture make_net(const Net& net, std::span<const double> stiffness) {
+  const Projection projection(net.dimension);
+  Picture picture;
+  picture.nodes = projection.of(net.nodes);
+  picture.nearness = projection.nearness(net.nodes);
+  for (std::size_t e = 0; e < stiffness.size(); ++e)
+    picture.springs.push_back({net.springs[e].first, net.springs[e].second, stiffness[e]});
+  picture.columns = picture.nearness.empty() ? net.grid.columns : 0;
+  picture.rings = projection.rings(net.body);
+  picture.border = net.outlines;
+  picture.kinds = net.kinds;
+  picture.masses = net.masses;
+  picture.cells = net.cells;
+  return picture;
+}
+
+}  // namespace
+
+std::vector<std::array<bool, 2>> known_freedoms(const SupportGroup& group, std::span<const double> reference) {
+  if (group.weights.empty()) return {};  // all is known, as always in space
+  const auto held = [&](std::size_t freedom) {
+    return std::ranges::any_of(group.supports, [&](const Support& s) {
+      return 2 * s.node + s.axis == freedom && s.value == reference[freedom];
+    });
+  };
+  std::vector<std::array<bool, 2>> known(reference.size() / 2);
+  bool all = true;
+  for (std::size_t i = 0; i < reference.size(); ++i) {
+    known[i / 2][i % 2] = group.weight(i) > 0.0 || held(i);
+    all = all && known[i / 2][i % 2];
+  }
+  return all ? std::vector<std::array<bool, 2>>{} : known;
+}
+
+Picture make_picture(const ElasticProblem& problem, std::span<const double> stiffness, const State& state,
+                     std::string problem_label, std::string title) {
+  Picture picture = make_net(problem.net(), stiffness);
+  picture.problem = std::move(problem_label);
+  picture.title = std::move(title);
+  picture.quality = state.quality;
+  picture.relative_error = state.relative_error;
+  const LoadSet& set = problem.scene().loads;
+  for (std::size_t l = 0; l < state.loads.size(); ++l)
+    picture.loads.push_back(
+        make_load(Projection(problem.net().dimension), state.loads[l], set.loads[l], set.groups[set.loads[l].group]));
+  return picture;
+}
+
+std::optional<Picture> make_picture(const ElasticProblem& problem, std::span<const double> x, std::string problem_label,
+                                    std::string title) {
+  const std::vector<double> stiffness = problem.stiffness(x);
+  const State state = problem.solve(stiffness);
+  if (state.status != Status::ok) return std::nullopt;
+  return make_picture(problem, stiffness, state, std::move(problem_label), std::move(title));
+}
+
+}  // namespace nodal::elastic::show

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include <nodal/show/html.h>
+#include <nodal/show/number_text.h>
+#include "show/panels.h"
+#include "show/picture_svg.h"
+#include "show/pictures_html.h"
+
+namespace nodal::elastic::show {
+
+namespace {
+
+constexpr std::size_t kMostColumns = 5;  // the system and the four loads of the paper
+
+std::string figure_html(const char* style, const std::string& svg, const std::string& name,
+                        const std::string& figures) {
+  return fmt::format("<figure{}>{}<figcaption>{}<br><small>{}</small></figcaption></figure>\n", style, svg,
+                     escape_html(name), figures);
+}
+
+std::string row_html(const Picture& picture, const Frame& frame, const StiffnessColours& colours) {
+  const std::size_t panels = picture.loads.size() + 1;
+  std::string text = fmt::format(
+      "<h3>{} <small>G {}, relative error {}</small></h3>\n<div class=\"plates{}\" style=\"--columns:{}\">\n",
+      escape_html(picture.title), figure_text(picture.quality, 4), figure_text(picture.relative_error, 4),
+      panels % 2 == 1 ? " odd" : "", std::min(panels, kMostColumns));
+  text += figure_html(" class=\"system-figure\"", system_svg(picture, kPanelWidth, colours), "the system",
+                      "k<sub>max</sub>/k<sub>min</sub> " + spread_text(picture));
+  for (const PicturedLoad& load : picture.loads)
+    text += figure_html("", load_svg(picture, load, frame, colours), load.name, "G " + figure_text(load.quality, 4));
+  return text + "</div>\n";
+}
+
+std::string scale_svg(const StiffnessColours& colours) {
+  const Drawing scale = colour_scale(colours, kPanelWidth);
+  return fmt::format(
+      "<svg class=\"plate scale\" viewBox=\"0 0 {:.0f} {:.0f}\" role=\"img\" aria-label=\"stiffness, {} to {} "
+      "N/m\">{}</svg>\n",
+      scale.width, scale.height, figure_text(colours.softest(), 3), figure_text(colours.stiffest(), 3), scale.text);
+}
+
+}  // namespace
+
+std::string pictures_html(std::span<const Picture> all) {
+  if (all.empty()) return {};
+  std::vector<const Picture*> pictures;
+  for (const Picture& picture : all) pictures.push_back(&picture);
+  const Frame frame = make_frame(pictures);
+  const StiffnessColours colours(pictures);
+  std::string text = "<div class=\"plate-figure\">\n", note;
+  for (const Picture* picture : pictures) text += row_html(*picture, frame, colours);
+  for (const std::string& sentence : picture_legend(*pictures.front(), frame)) note += escape_html(sentence) + " ";
+  note.pop_back();
+  return text + "<p class=\"note\">" + note + "</p>\n" + scale_svg(colours) + "</div>\n";
+}
+
+}  // namespace nodal::elastic::show

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "show/state.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include <nodal/elastic/determination.h>
+
+#include <nodal/show/at_bounds.h>
+#include "problem/elastic_evaluator.h"
+#include "show/state_tables.h"
+
+namespace nodal::elastic::show {
+
+namespace {
+
+// A list per node.
+Value by_node(const Freedoms& freedoms, const std::vector<double>& values) {
+  Value::List list;
+  for (std::size_t i = 0; i < freedoms.nodes; ++i) {
+    const auto first = values.begin() + static_cast<std::ptrdiff_t>(freedoms.at(i, 0));
+    list.emplace_back(Value::List(first, first + static_cast<std::ptrdiff_t>(freedoms.dimension)));
+  }
+  return Value(std::move(list));
+}
+
+Value index(std::size_t i) { return Value(static_cast<std::int64_t>(i)); }
+
+Value node_name(const Net& net, std::size_t node) { return Value(net.id(node)); }
+
+Value bearing_json(const Net& net, const LoadState& load) {
+  Value::List list;
+  for (std::size_t s = 0; s < load.supports.size(); ++s)
+    list.emplace_back(
+        Value::List{node_name(net, load.supports[s].node), index(load.supports[s].axis), Value(load.bearing[s])});
+  return Value(std::move(list));
+}
+
+Value health_json(const Health& health) {
+  Value table;
+  if (health.error_estimate) table.set("error_estimate", *health.error_estimate);
+  if (health.cost_error) table.set("cost_error", *health.cost_error);
+  if (health.residual) table.set("residual", *health.residual);
+  for (const Finding& finding : health.findings) table.set(finding.name, finding.value);
+  return table;
+}
+
+Value names_json(const Net& net) {
+  Value::List names;
+  for (std::size_t i = 0; i < net.nodes.size(); ++i) names.push_back(node_name(net, i));
+  return Value(std::move(names));
+}
+
+std::vector<double> coordinates_at(const ElasticProblem& problem, std::span<const double> stiffness) {
+  std::vector<double> x(problem.parameters().size());
+  problem.parameters().coordinates(stiffness, x);
+  return x;
+}
+
+Value at_bounds_json(const ElasticProblem& problem, std::span<const double> stiffness) {
+  const AtBounds at = count_at_bounds(problem.space(), coordinates_at(problem, stiffness));
+  Value table;
+  table.set("coordinates", index(problem.space().size()));
+  table.set("lower", index(at.lower));
+  table.set("upper", index(at.upper));
+  return table;
+}
+
+// The springs whose stiffness the reference says nothing about.
+Value undetermined_json(const ElasticProblem& problem, std::span<const double> stiffness) {
+  Value::List list;
+  for (const std::size_t coordinate : determine(problem, stiffness).undetermined)
+    for (const std::size_t e : problem.parameters().springs_of(coordinate))
+      list.emplace_back(Value::List{node_name(problem.net(), problem.net().springs[e].first),
+                                    node_name(problem.net(), problem.net().springs[e].second)});
+  return Value(std::move(list));
+}
+
+double largest(const std::vector<double>& values) {
+  double most = 0.0;
+  for (const double v : values) most = std::max(most, std::abs(v));
+  return most;
+}
+
+}  // namespace
+
+Value state_json(const std::string& label, const ElasticProblem& problem, std::span<const double> stiffness,
+                 const State& state) {
+  Value::List springs, loads;
+  for (std::size_t e = 0; e < stiffness.size(); ++e) {
+    const Spring& spring = problem.net().springs[e];
+    Value entry;
+    entry.set("nodes",
+              Value(Value::List{node_name(problem.net(), spring.first), node_name(problem.net(), spring.second)}));
+    entry.set("stiffness", stiffness[e]);
+    springs.push_back(std::move(entry));
+  }
+  for (const LoadState& load : state.loads) {
+    Value entry;
+    entry.set("name", load.name);
+    if (problem.scene().has_reference) entry.set("quality", load.quality);
+    entry.set("displacement", by_node(problem.net().freedoms(), load.displacement));
+    if (problem.scene().has_reference) entry.set("reference", by_node(problem.net().freedoms(), load.reference));
+    entry.set("force", Value(Value::List(load.spring_force.begin(), load.spring_force.end())));
+    entry.set("bearing", bearing_json(problem.net(), load));
+    loads.push_back(std::move(entry));
+  }
+  Value result;
+  result.set("problem", label);
+  result.set("nodes", index(problem.net().nodes.size()));
+  result.set("node_names", names_json(problem.net()));
+  result.set("springs", Value(std::move(springs)));
+  if (problem.scene().has_reference) {
+    result.set("at_bounds", at_bounds_json(problem, stiffness));
+    result.set("quality", state.quality);
+    result.set("relative_error", state.relative_error);
+  }
+  result.set("loads", Value(std::move(loads)));
+  result.set("health", health_json(state.health));
+  if (Value undetermined = undetermined_json(problem, stiffness); !undetermined.list().empty())
+    result.set("undetermined", std::move(undetermined));
+  if (Value details = problem.details(); !details.table().empty()) result.set("details", std::move(details));
+  return result;
+}
+
+namespace {
+
+std::string accuracy_text(const Health& health) {
+  if (!health.error_estimate || !health.residual) return {};
+  return fmt::format("accuracy: first refinement step {:.1e}, cost exact to {:.1e}, backward error {:.1e}\n",
+                     *health.error_estimate, health.cost_error.value_or(0.0), *health.residual);
+}
+
+// What is compared with the reference: errors, and what a fit would make of these stiffnesses.
+std::string compared_text(const ElasticProblem& problem, std::span<const double> stiffness, const State& state) {
+  std::string text = fmt::format("relative error {:.6g}, G {:.10g}, k_max/k_min {:.4g}\n", state.relative_error,
+                                 state.quality, spread_of(stiffness).value);
+  text += accuracy_text(state.health);
+  text +=
+      fmt::format("{} ({:.6g} to {:.6g} N/m)\n", at_bounds_text(problem.space(), coordinates_at(problem, stiffness)),
+                  problem.scene().stiffness_bounds[0], problem.scene().stiffness_bounds[1]);
+  if (const std::string note = describe(determine(problem, stiffness), problem); !note.empty())
+    text += "note: " + note + "\n";
+  text += fmt::format("\n{:<12} {:>14} {:>24} {:>26}\n", "load", "G", "largest displacement [m]",
+                      "largest bearing force [N]");
+  for (const LoadState& load : state.loads)
+    text += fmt::format("{:<12} {:>14.6g} {:>24.6g} {:>26.6g}\n", load.name, load.quality, largest(load.displacement),
+                        largest(load.bearing));
+  return text;
+}
+
+}  // namespace
+
+std::string state_text(const std::string& label, const ElasticProblem& problem, std::span<const double> stiffness,
+                       const State& state) {
+  std::string text =
+      fmt::format("{}: {} nodes, {} springs\n", label, problem.net().nodes.size(), problem.net().springs.size());
+  if (problem.scene().has_reference) return text + compared_text(problem, stiffness, state);
+  text += fmt::format("no reference to compare with; k_max/k_min {:.4g}\n", spread_of(stiffness).value);
+  text += accuracy_text(state.health);
+  for (const LoadState& load : state.loads) text += state_tables(problem.net(), load);
+  return text;
+}
+
+}  // namespace nodal::elastic::show

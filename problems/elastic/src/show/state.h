@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+/// The equilibrium of an elastic problem as `nodal evaluate` shows it.
+
+#include <span>
+#include <string>
+
+#include <nodal/elastic/elastic_problem.h>
+
+namespace nodal::elastic::show {
+
+/// {"problem", "nodes", "node_names", "springs": [{nodes, stiffness}, …], "at_bounds": {coordinates, lower, upper},
+/// "quality", "relative_error", "loads": [{name, quality, displacement, reference, force, bearing}, …], "health",
+/// "undetermined", "details"}, as docs/your_own_system.md describes them. What a study without a reference doesn't have
+/// (at_bounds, quality, relative_error, reference) is left out, and so is "undetermined" where nothing is.
+[[nodiscard]] Value state_json(const std::string& label, const ElasticProblem& problem,
+                               std::span<const double> stiffness, const State& state);
+/// The same for people: G, relative error, a line per load with its largest bearing force. Of a study without a
+/// reference tables of displacements, spring forces and bearing forces instead.
+[[nodiscard]] std::string state_text(const std::string& label, const ElasticProblem& problem,
+                                     std::span<const double> stiffness, const State& state);
+
+}  // namespace nodal::elastic::show

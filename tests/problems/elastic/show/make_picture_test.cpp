@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "show/make_picture.h"
+
+#include <gtest/gtest.h>
+
+namespace nodal::elastic::show {
+namespace {
+
+using Known = std::vector<std::array<bool, 2>>;
+
+Scene plate_scene() {
+  const Material material;
+  Scene scene;
+  scene.net = make_grid_net(rectangle_body({0.0, 0.0}, {3.0, 2.0}), 4, 3, "crossed");
+  scene.material = material;
+  scene.loads = make_basic_loads(scene.net, material, 1.0, SupportStyle::edge);
+  scene.initial_stiffness.assign(scene.net.springs.size(), 0.5);
+  scene.stiffness_bounds = {1e-4, 1e2};
+  return scene;
+}
+
+Picture start_of(Scene scene) {
+  const ElasticProblem problem(std::move(scene));
+  const std::optional<Picture> plate = make_picture(problem, problem.space().start(), "plate", "start");
+  return plate.value();
+}
+
+TEST(Plates, AreTheProblemsNetAndLoads) {
+  Scene scene = plate_scene();
+  scene.net.masses.assign(scene.net.nodes.size(), 0.25);
+  scene.net.cells.assign(scene.net.nodes.size(), {{{0.0, 0.0}, {1.0, 0.0}, {0.0, 1.0}}});
+  const Picture plate = start_of(scene);
+  EXPECT_EQ(plate.columns, 4u);
+  EXPECT_EQ(plate.nodes, scene.net.nodes);
+  EXPECT_EQ(plate.rings, scene.net.body.rings);
+  EXPECT_EQ(plate.border, scene.net.outlines);
+  EXPECT_EQ(plate.masses, scene.net.masses);
+  EXPECT_EQ(plate.cells, scene.net.cells);
+  EXPECT_EQ(plate.kinds[0], NodeKind::corner);
+  EXPECT_EQ(plate.kinds[1], NodeKind::border);
+  EXPECT_EQ(plate.kinds[5], NodeKind::inner);
+  ASSERT_EQ(plate.loads.size(), 4u);
+  for (const PicturedLoad& load : plate.loads) EXPECT_TRUE(load.known.empty());
+}
+
+TEST(Plates, ReferenceIsKnownWhereItCounts) {
+  SupportGroup group;
+  const std::vector<double> reference = {0.0, 0.0, 0.1, 0.0, 0.0, 0.0};
+  EXPECT_EQ(known_freedoms(group, reference), Known{});
+  group.weights = {1.0, 1.0, 2.0, 0.5, 1.0, 1.0};
+  EXPECT_EQ(known_freedoms(group, reference), Known{});
+  group.weights = {0.0, 0.0, 1.0, 1.0, 1.0, 0.0};
+  EXPECT_EQ(known_freedoms(group, reference), (Known{{false, false}, {true, true}, {true, false}}));
+  group.supports = {{0, 0, 0.0}, {2, 1, 0.3}};  // held at the reference; held elsewhere
+  EXPECT_EQ(known_freedoms(group, reference), (Known{{true, false}, {true, true}, {true, false}}));
+}
+
+}  // namespace
+}  // namespace nodal::elastic::show

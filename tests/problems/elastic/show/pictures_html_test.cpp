@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "show/pictures_html.h"
+
+#include <gtest/gtest.h>
+
+#include <regex>
+
+#include "pictures.h"
+#include "show/style.h"
+
+namespace nodal::elastic::show {
+namespace {
+
+constexpr const char* kHostile = "</script><img src=x onerror=alert(1)>&\"'";
+
+std::size_t count(const std::string& text, std::string_view part) {
+  std::size_t found = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + part.size())) ++found;
+  return found;
+}
+
+TEST(PicturesHtml, ShowTheSystemBeforeItsLoads) {
+  const std::string html =
+      pictures_html(std::vector{fixture::make_square("start", 0.5), fixture::make_square("best: annealing", 0.25)});
+  EXPECT_EQ(count(html, "<svg class=\"plate system\""), 2u);
+  EXPECT_EQ(count(html, "<svg class=\"plate load\""), 2u);
+  EXPECT_EQ(count(html, "<svg class=\"plate scale\""), 1u);  // one for all pictures of the problem
+  EXPECT_LT(html.find("<svg class=\"plate system\""), html.find("<svg class=\"plate load\""));
+}
+
+TEST(PicturesHtml, LabelsCannotBreakOut) {
+  Picture picture = fixture::make_square(kHostile, 0.5);
+  picture.problem = picture.loads[0].name = kHostile;
+  const std::string html = pictures_html(std::vector{picture});
+  EXPECT_EQ(count(html, "<img"), 0u);
+  EXPECT_EQ(count(html, "</script>"), 0u);
+  EXPECT_GE(count(html, "&lt;/script&gt;&lt;img src=x onerror=alert(1)&gt;&amp;&quot;&#39;"), 3u);
+}
+
+TEST(PicturesHtml, LoadNothingFromOutside) {
+  const std::string own = pictures_html(std::vector{fixture::make_square("start", 0.5)}) + std::string(picture_css()) +
+                          std::string(pictures_css()) + std::string(details_css()) + std::string(voronoi_js());
+  const std::regex loads(
+      R"((src|href|srcset|action)\s*=\s*["']?\s*(https?:)?//|url\(\s*["']?\s*(https?:)?//|@import|<link|<iframe)");
+  EXPECT_FALSE(std::regex_search(own, loads));
+}
+
+}  // namespace
+}  // namespace nodal::elastic::show
