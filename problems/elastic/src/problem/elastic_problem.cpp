@@ -256,16 +256,17 @@ std::vector<std::string> ElasticProblem::remarks() const {
     remarks.push_back(
         "no load has a force: all stiffnesses times any factor fit as well, so only their ratios are found; give a "
         "force that was measured");
-  const double poisson = s.material.plane_poisson();
+  const bool space = s.net.dimension == 3;
+  const double poisson = space ? s.material.poisson : s.material.plane_poisson();
   // What was measured has no material that the study would know of.
-  if (s.measured_reference.empty() && s.has_reference && std::abs(poisson - 1.0 / 3.0) > 0.02) {
+  if (s.measured_reference.empty() && s.has_reference && std::abs(poisson - (space ? 0.25 : 1.0 / 3.0)) > 0.02) {
     const bool tied = !parameters().one_to_one();
-    remarks.push_back(
-        fmt::format("springs alone make a Cauchy-elastic net: even, isotropic ones have Poisson's ratio 1/3 in the "
-                    "plane, the material has {:.4g}; {}",
-                    poisson,
-                    tied ? "tied springs can't make up for that, so expect a remaining error"
-                         : "free, uneven springs reach it at the price of a spread in stiffness and of local noise"));
+    remarks.push_back(fmt::format(
+        "springs alone make a Cauchy-elastic net: even, isotropic ones have Poisson's ratio {}, the material "
+        "has {:.4g}; {}",
+        space ? "1/4 in space" : "1/3 in the plane", poisson,
+        tied ? "tied springs can't make up for that, so expect a remaining error"
+             : "free, uneven springs reach it at the price of a spread in stiffness and of local noise"));
   }
   return remarks;
 }
