@@ -10,7 +10,7 @@ std::string MechanismError::picture(const std::string& name) const {
   show::Mechanism mechanism;
   mechanism.title = name + ": a mechanism";
   mechanism.text = what();
-  const Projection projection(net.dimension);
+  const show::Projection projection(net.dimension);
   mechanism.nodes = projection.of(net.nodes);
   for (const Spring& s : net.springs) mechanism.springs.push_back({s.first, s.second});
   mechanism.motion = projection.of(motion);

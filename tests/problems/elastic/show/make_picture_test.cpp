@@ -31,7 +31,7 @@ TEST(Plates, AreTheProblemsNetAndLoads) {
   scene.net.cells.assign(scene.net.nodes.size(), {{{0.0, 0.0}, {1.0, 0.0}, {0.0, 1.0}}});
   const Picture plate = start_of(scene);
   EXPECT_EQ(plate.columns, 4u);
-  EXPECT_EQ(plate.nodes, scene.net.nodes);
+  EXPECT_EQ(plate.nodes, in_plane(scene.net.nodes));
   EXPECT_EQ(plate.rings, scene.net.body.rings);
   EXPECT_EQ(plate.border, scene.net.outlines);
   EXPECT_EQ(plate.masses, scene.net.masses);
