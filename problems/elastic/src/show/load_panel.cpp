@@ -91,7 +91,7 @@ std::string reference_lines(const Picture& picture, const PicturedLoad& load, co
   const double width = std::clamp(0.75 * frame.line_width(), 0.8, 1.2);
   std::string text =
       path.empty() ? "" : fmt::format("<path class=\"body\" stroke-width=\"{:.2f}\" d=\"{}\"/>", width, path.text());
-  return picture.columns > 0 || !load.known.empty() ? text : text + node_marks(body, frame);
+  return picture.columns > 0 || !picture.seen.empty() || !load.known.empty() ? text : text + node_marks(body, frame);
 }
 
 // Places that are kept apart from each other, so that of many marks in a row some remain, not a bar.

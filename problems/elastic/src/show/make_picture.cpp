@@ -37,7 +37,8 @@ Picture make_net(const Net& net, std::span<const double> stiffness) {
     picture.springs.push_back({net.springs[e].first, net.springs[e].second, stiffness[e]});
   picture.columns = picture.nearness.empty() ? net.grid.columns : 0;
   picture.rings = projection.rings(net.body);
-  picture.border = net.outlines;
+  picture.border = projection.border(net);
+  picture.seen = projection.seen(net);
   picture.kinds = net.kinds;
   picture.masses = net.masses;
   picture.cells = net.cells;

@@ -16,9 +16,10 @@ namespace nodal::elastic::show {
 
 /// Which springs a panel draws: all up to `most`, beyond that those along the border and of the others an even share,
 /// chosen by their number alone. So a file stays below a few megabytes, and a drawing of so many lines looks the same.
+/// Of a net in space only those are drawn that are seen, under loads and where there are more than kMostThrough.
 class DrawnSprings {
  public:
-  static constexpr std::size_t kMostAtRest = 60'000, kMostUnderLoad = 20'000;
+  static constexpr std::size_t kMostAtRest = 60'000, kMostUnderLoad = 20'000, kMostThrough = 3'000;
 
   DrawnSprings(const Picture& picture, std::size_t most);
 

@@ -46,6 +46,7 @@ struct Picture {
   std::vector<Ring> rings = {};                       ///< of the body: outline, holes; empty where only nodes are known
   std::vector<std::vector<std::size_t>> border = {};  ///< per ring: the nodes on it, along it
   std::vector<NodeKind> kinds = {};
+  std::vector<bool> seen = {};  ///< [springs] on a face that is seen, the only ones drawn under loads; all where empty
   std::vector<double> nearness = {};  ///< in space: from 0, farthest, to 1, nearest; empty in the plane
   std::vector<double> masses = {};
   std::vector<std::vector<Ring>> cells = {};  ///< the rings of each node's Voronoi region

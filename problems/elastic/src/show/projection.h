@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-/// How a net is laid on paper: a plane one as it is, one in space isometrically: z upwards, x to the right and down, y to
-/// the right and up, all three in true length. So it is seen from where x and z are high and y is low.
+/// How a net is laid on paper: a plane one as it is, one in space isometrically: z upwards, x to the right and down, y
+/// to the right and up, all three in true length. So it is seen from where x and z are high and y is low.
 
 #include <vector>
 
@@ -35,6 +35,10 @@ class Projection {
   [[nodiscard]] std::vector<double> nearness(const std::vector<Vector>& positions) const;
   /// What of a body is filled: a plane one's rings, of a box the three faces that are seen.
   [[nodiscard]] std::vector<Ring> rings(const Body& body) const;
+  /// The nodes along each of these.
+  [[nodiscard]] std::vector<std::vector<std::size_t>> border(const Net& net) const;
+  /// [springs] whether one lies on a face that is seen; empty in the plane, where all are.
+  [[nodiscard]] std::vector<bool> seen(const Net& net) const;
 
  private:
   Freedoms freedoms_;

@@ -26,14 +26,16 @@ bool on_border(const Picture& picture, std::size_t node) {
 }  // namespace
 
 DrawnSprings::DrawnSprings(const Picture& picture, std::size_t most) : count_(picture.springs.size()) {
-  if (count_ <= most) return;
+  const bool through = picture.seen.empty() || (most >= kMostAtRest && count_ <= kMostThrough);
+  if (count_ <= most && through) return;
   all_ = false;
   drawn_.assign(picture.springs.size(), false);
   count_ = 0;
   for (std::size_t e = 0; e < picture.springs.size(); ++e) {
     const PicturedSpring& s = picture.springs[e];
-    drawn_[e] =
-        scattered(e) % picture.springs.size() < most || (on_border(picture, s.first) && on_border(picture, s.second));
+    const bool chosen = picture.springs.size() <= most || scattered(e) % picture.springs.size() < most ||
+                        (on_border(picture, s.first) && on_border(picture, s.second));
+    drawn_[e] = chosen && (through || picture.seen[e]);
     count_ += drawn_[e] ? 1 : 0;
   }
 }
