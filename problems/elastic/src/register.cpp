@@ -6,7 +6,7 @@
 #include <nodal/provenance.h>
 
 #include "battery/check.h"
-#include "problem/elastic_evaluator.h"
+#include "displacements/spread.h"
 #include "show/details.h"
 #include "show/drawing_cost.h"
 #include "system/factor/cholesky.h"

@@ -148,7 +148,7 @@ Scene scene_by_hand(const Reading& reading) {
   SupportGroup group;
   for (const std::vector<double>& s : reading.supports)
     group.supports.push_back({index(s[0], count, reading, "node"), index(s[1], 2, reading, "axis"), 0.0});
-  std::ranges::sort(group.supports, {}, [](const Support& s) { return 2 * s.node + s.axis; });
+  std::ranges::sort(group.supports, {}, [&](const Support& s) { return scene.net.freedoms().at(s.node, s.axis); });
   scene.loads.groups.push_back(std::move(group));
   scene.loads.loads.push_back({"load", 0, std::vector<double>(2 * count, 0.0), std::vector<double>(2 * count, 1.0)});
   scene.initial_stiffness.assign(scene.net.springs.size(), 1.0);

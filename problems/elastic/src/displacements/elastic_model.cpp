@@ -5,7 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "lanes/lane_model.h"
+#include "displacements/lane_model.h"
 
 namespace nodal::elastic {
 

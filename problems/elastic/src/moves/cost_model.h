@@ -11,7 +11,7 @@
 #include <string>
 #include <string_view>
 
-#include "lanes/lane_model.h"
+#include "displacements/lane_model.h"
 
 namespace nodal::elastic {
 

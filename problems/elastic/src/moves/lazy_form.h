@@ -14,7 +14,7 @@
 
 #include <vector>
 
-#include "lanes/lane_model.h"
+#include "displacements/lane_model.h"
 #include "moves/pricing_form.h"
 
 namespace nodal::elastic {

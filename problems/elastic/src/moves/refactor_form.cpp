@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "lanes/lane_work.h"
+#include "displacements/lane_work.h"
 
 namespace nodal::elastic {
 

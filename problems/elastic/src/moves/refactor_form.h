@@ -10,7 +10,7 @@
 #include <memory>
 #include <vector>
 
-#include "lanes/lane_model.h"
+#include "displacements/lane_model.h"
 #include "moves/pricing_form.h"
 
 namespace nodal::elastic {

@@ -16,8 +16,8 @@
 
 #include <vector>
 
-#include "lanes/lane_model.h"
-#include "lanes/lane_system.h"
+#include "displacements/lane_model.h"
+#include "displacements/lane_system.h"
 #include "moves/pricing_form.h"
 
 namespace nodal::elastic {

@@ -21,7 +21,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "points/density.h"
+#include "geometry/plane/density.h"
 #include "points/placement.h"
 
 namespace nodal::elastic {

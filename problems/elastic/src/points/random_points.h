@@ -10,8 +10,8 @@
 
 #include <cstddef>
 
+#include "geometry/plane/density.h"
 #include "points/border_points.h"
-#include "points/density.h"
 #include "points/placement.h"
 
 namespace nodal::elastic {

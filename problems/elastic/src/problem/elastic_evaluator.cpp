@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "displacements/spread.h"
 #include "moves/elastic_moves.h"
 
 namespace nodal::elastic {
@@ -67,11 +68,6 @@ Evaluation ElasticEvaluator::evaluate(std::span<const double> x, bool refined) {
   std::ranges::copy(x, x_.begin());
   model_.parameters.stiffness(x, stiffness_);
   return evaluate_stiffness(refined);
-}
-
-Finding spread_of(std::span<const double> stiffness) {
-  const auto [softest, stiffest] = std::ranges::minmax(stiffness);
-  return {std::string(kSpread), stiffest / softest};
 }
 
 Evaluation ElasticEvaluator::value(std::span<const double> x) { return evaluate(x, false); }

@@ -20,15 +20,11 @@
 #include <vector>
 
 #include "displacements/full_evaluation.h"
-#include "lanes/lane_evaluation.h"
+#include "displacements/lane_evaluation.h"
 
 namespace nodal::elastic {
 
 class ElasticMoves;
-
-/// The finding of every point: k_max / k_min, the stiffest spring over the softest.
-inline constexpr std::string_view kSpread = "spread";
-[[nodiscard]] Finding spread_of(std::span<const double> stiffness);
 
 class ElasticEvaluator final : public Evaluator {
  public:

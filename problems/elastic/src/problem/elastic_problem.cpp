@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "displacements/elastic_model.h"
+#include "displacements/spread.h"
 #include "problem/elastic_evaluator.h"
 #include "show/exhibit.h"
 #include "starts/stiffness_bounds.h"

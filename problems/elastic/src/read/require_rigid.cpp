@@ -2,52 +2,17 @@
 #include "read/require_rigid.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <iterator>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <Eigen/SVD>
 
 #include <nodal/elastic/mechanism.h>
 
 namespace nodal::elastic {
 
 namespace {
-
-std::vector<std::size_t> fixed_freedoms(const Freedoms& freedoms, const SupportGroup& group) {
-  std::vector<std::size_t> fixed;
-  for (const Support& s : group.supports) fixed.push_back(freedoms.at(s.node, s.axis));
-  return fixed;
-}
-
-// How far a support's axis is moved by each rigid motion: the translations, then the turns about z, x and y.
-Eigen::RowVectorXd felt_by(const Support& support, const Vector& place, std::size_t dimension) {
-  const std::size_t turns = dimension == 2 ? 1 : 3;
-  Eigen::RowVectorXd felt = Eigen::RowVectorXd::Zero(static_cast<Eigen::Index>(dimension + turns));
-  felt[static_cast<Eigen::Index>(support.axis)] = 1.0;
-  constexpr std::array<Vector, 3> about = {{{0.0, 0.0, 1.0}, {1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}}};
-  for (std::size_t t = 0; t < turns; ++t)
-    felt[static_cast<Eigen::Index>(dimension + t)] = cross(about[t], place)[support.axis];
-  return felt;
-}
-
-// Whether supports hold a rigid body: no combination of translations and rotations leaves them all at rest.
-bool hold_a_rigid_body(const Structure& structure, const SupportGroup& group) {
-  const Extent box = extent_of(structure.nodes);
-  const std::size_t needed = structure.dimension == 2 ? 3 : 6;
-  if (group.supports.size() < needed) return false;
-  Eigen::MatrixXd motions(static_cast<Eigen::Index>(group.supports.size()), static_cast<Eigen::Index>(needed));
-  for (std::size_t s = 0; s < group.supports.size(); ++s) {
-    Vector place = structure.nodes[group.supports[s].node] - box.low;
-    for (double& coordinate : place) coordinate /= box.size();
-    motions.row(static_cast<Eigen::Index>(s)) = felt_by(group.supports[s], place, structure.dimension);
-  }
-  // Supports nearer to each other than that hold no rotation.
-  const Eigen::VectorXd singular = Eigen::JacobiSVD<Eigen::MatrixXd>(motions).singularValues();
-  return singular[singular.size() - 1] > kPlaceRounding * singular[0];
-}
 
 // The nodes by what people call them, some of many.
 std::string named(const Net& net, const std::vector<std::size_t>& nodes) {
@@ -94,14 +59,6 @@ std::string why(const Net& net, bool rigid) {
 }
 
 }  // namespace
-
-bool is_rigid(const Structure& structure, const LoadSet& loads) {
-  const bool rigid = free_rigidity(structure).is_rigid();
-  return std::ranges::all_of(loads.groups, [&](const SupportGroup& group) {
-    return (rigid && hold_a_rigid_body(structure, group)) ||
-           rigidity(structure, fixed_freedoms(structure.freedoms(), group)).is_rigid();
-  });
-}
 
 void require_rigid(const Net& net, const LoadSet& loads, const Source& source) {
   const Structure structure = structure_of(net);

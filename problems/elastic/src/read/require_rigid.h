@@ -7,7 +7,7 @@
 #include <nodal/elastic/net.h>
 #include <nodal/error.h>
 
-#include "rigidity/rigidity.h"
+#include "rigidity/held.h"
 
 namespace nodal::elastic {
 
@@ -15,8 +15,5 @@ namespace nodal::elastic {
 /// A full grid with diagonals is known to be rigid and not looked at.
 /// Cost     one sparse QR of the net; another per group of supports only where the free net is no rigid body.
 void require_rigid(const Net& net, const LoadSet& loads, const Source& source);
-
-/// The same question without a message. Same cost.
-[[nodiscard]] bool is_rigid(const Structure& structure, const LoadSet& loads);
 
 }  // namespace nodal::elastic

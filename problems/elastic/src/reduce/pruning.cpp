@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "read/require_rigid.h"
+#include "rigidity/held.h"
 
 namespace nodal::elastic {
 

@@ -49,16 +49,18 @@ Picture make_net(const Net& net, std::span<const double> stiffness) {
 
 std::vector<std::array<bool, 2>> known_freedoms(const SupportGroup& group, std::span<const double> reference) {
   if (group.weights.empty()) return {};  // all is known, as always in space
+  const Freedoms plane{2, reference.size() / 2};
   const auto held = [&](std::size_t freedom) {
     return std::ranges::any_of(group.supports, [&](const Support& s) {
-      return 2 * s.node + s.axis == freedom && s.value == reference[freedom];
+      return plane.at(s.node, s.axis) == freedom && s.value == reference[freedom];
     });
   };
-  std::vector<std::array<bool, 2>> known(reference.size() / 2);
+  std::vector<std::array<bool, 2>> known(plane.nodes);
   bool all = true;
   for (std::size_t i = 0; i < reference.size(); ++i) {
-    known[i / 2][i % 2] = group.weight(i) > 0.0 || held(i);
-    all = all && known[i / 2][i % 2];
+    const bool here = group.weight(i) > 0.0 || held(i);
+    known[plane.node_of(i)][plane.axis_of(i)] = here;
+    all = all && here;
   }
   return all ? std::vector<std::array<bool, 2>>{} : known;
 }

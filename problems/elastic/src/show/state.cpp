@@ -9,7 +9,7 @@
 #include <nodal/elastic/determination.h>
 
 #include <nodal/show/at_bounds.h>
-#include "problem/elastic_evaluator.h"
+#include "displacements/spread.h"
 #include "show/state_tables.h"
 
 namespace nodal::elastic::show {

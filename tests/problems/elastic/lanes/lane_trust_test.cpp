@@ -5,8 +5,8 @@
 
 #include <cmath>
 
+#include "displacements/lane_system.h"
 #include "lane_truss.h"
-#include "lanes/lane_system.h"
 #include "system/equilibrium.h"
 
 namespace nodal::elastic {

@@ -8,8 +8,8 @@
 
 #include "../plate.h"
 #include "displacements/full_evaluation.h"
-#include "lanes/lane_model.h"
-#include "lanes/lane_system.h"
+#include "displacements/lane_model.h"
+#include "displacements/lane_system.h"
 
 namespace nodal::elastic {
 namespace {

@@ -17,9 +17,9 @@
 #include <utility>
 #include <vector>
 
+#include "geometry/plane/density.h"
 #include "geometry/plane/half_plane_clip.h"
 #include "geometry/plane/outline.h"
-#include "points/density.h"
 #include "triangulation/triangulation.h"
 
 namespace nodal::elastic {

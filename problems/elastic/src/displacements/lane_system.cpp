@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "lane_system.h"
+#include "displacements/lane_system.h"
 
 #include <cmath>
 

@@ -8,7 +8,7 @@
 
 #include <nodal/evaluator.h>
 
-#include "lanes/lane_system.h"
+#include "displacements/lane_system.h"
 
 namespace nodal::elastic {
 

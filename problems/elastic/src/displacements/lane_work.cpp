@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "lanes/lane_work.h"
+#include "displacements/lane_work.h"
 
 namespace nodal::elastic {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "lanes/lane_evaluation.h"
+#include "displacements/lane_evaluation.h"
 
 #include <algorithm>
 #include <cmath>

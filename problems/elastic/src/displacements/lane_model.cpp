@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "lanes/lane_model.h"
+#include "displacements/lane_model.h"
 
 #include <algorithm>
 #include <span>

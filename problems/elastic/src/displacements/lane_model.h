@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "displacements/elastic_model.h"
-#include "lanes/lane_system.h"
+#include "displacements/lane_system.h"
 
 namespace nodal::elastic {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "points/density.h"
+#include "geometry/plane/density.h"
 
 #include <algorithm>
 #include <array>

@@ -9,8 +9,8 @@
 #include <cstdint>
 #include <span>
 
-#include "lane_instructions.h"
-#include "lane_structure.h"
+#include "lanes/lane_instructions.h"
+#include "lanes/lane_structure.h"
 
 namespace nodal::elastic {
 

@@ -16,9 +16,9 @@
 #include <span>
 #include <vector>
 
+#include "displacements/lane_model.h"
+#include "displacements/lane_work.h"
 #include "displacements/point_derivatives.h"
-#include "lanes/lane_model.h"
-#include "lanes/lane_work.h"
 
 namespace nodal::elastic {
 

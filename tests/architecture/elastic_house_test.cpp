@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The elastic problem's own house: its folders are floors, and dimensions are told apart in few places.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace nodal::architecture {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path kSources = fs::path(NODAL_SOURCE_DIR) / "problems/elastic/src";
+
+// What stands lower is included by what stands higher, never the other way round.
+const std::vector<std::string> kFloors = {
+    "geometry", "triangulation", "geometry/plane", "geometry/space", "net",   "material",      "points", "import",
+    "springs",  "masses",        "rigidity",       "loads",          "system/factor", "system", "lanes",  "parameters",
+    "displacements", "starts", "moves", "show", "problem", "export", "reduce", "read", "battery", ""};
+
+// Beside the floors' own geometry: readers, whose options differ, the tables of rules, and what writes or draws. Each line
+// is a place where plane and space part; fewer is better.
+const std::map<std::string, int> kTellDimensionsApart = {
+    {"export/system_export.cpp", 1},   {"geometry/with_dimension.h", 1}, {"lanes/lane_instructions.cpp", 2},
+    {"loads/plate_loads.cpp", 1},      {"parameters/parameters.cpp", 1}, {"parameters/symmetry.cpp", 1},
+    {"problem/elastic_problem.cpp", 2}, {"read/memory_need.cpp", 1},     {"read/read_bounds.cpp", 1},
+    {"read/read_masses.cpp", 1},       {"read/read_points.cpp", 4},      {"read/require_rigid.cpp", 1},
+    {"read/scene.cpp", 4},             {"read/study_loads.cpp", 6},      {"rigidity/held.cpp", 2},
+    {"rigidity/rest_frame.cpp", 2},    {"show/projection.cpp", 1},       {"show/projection.h", 1},
+    {"triangulation/cgal_triangulation.cpp", 1},  // of CGAL's own
+                                                         {"starts/area.cpp", 1},            {"starts/lattice.cpp", 1}};
+
+struct Line {
+  std::string file;  // below the sources
+  int number = 0;
+  std::string text;  // without a comment
+};
+
+std::vector<Line> read_lines() {
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::recursive_directory_iterator(kSources)) {
+    const std::string ending = entry.path().extension().string();
+    if (ending == ".cpp" || ending == ".h" || ending == ".inl") files.push_back(entry.path());
+  }
+  std::ranges::sort(files);
+  std::vector<Line> lines;
+  for (const fs::path& path : files) {
+    std::ifstream file(path);
+    int number = 0;
+    for (std::string text; std::getline(file, text);) {
+      if (const std::size_t comment = text.find("//"); comment != std::string::npos) text.resize(comment);
+      lines.push_back({fs::relative(path, kSources).string(), ++number, text});
+    }
+  }
+  return lines;
+}
+
+const std::vector<Line>& all_lines() {
+  static const std::vector<Line> lines = read_lines();
+  return lines;
+}
+
+std::string folder_of(const std::string& file) { return fs::path(file).parent_path().string(); }
+
+std::ptrdiff_t floor_of(const std::string& folder) {
+  const auto found = std::ranges::find(kFloors, folder);
+  return found == kFloors.end() ? -1 : found - kFloors.begin();
+}
+
+TEST(ElasticHouse, FoldersAreFloors) {
+  ASSERT_GT(all_lines().size(), 10000u);
+  const std::regex include("^#include \"([^\"]+)/[^/\"]+\"");
+  for (const Line& line : all_lines()) {
+    const std::string folder = folder_of(line.file);
+    ASSERT_GE(floor_of(folder), 0) << folder << " is no floor: add it to the list where it stands";
+    std::smatch match;
+    if (!std::regex_search(line.text, match, include)) continue;
+    if (floor_of(match[1]) < 0) continue;  // generated, or found beside the file
+    EXPECT_LE(floor_of(match[1]), floor_of(folder)) << line.file << ":" << line.number << " includes what stands above";
+  }
+}
+
+TEST(ElasticHouse, DimensionsAreToldApartInFewPlaces) {
+  const std::regex comparison("imension(\\(\\))?\\s*(==|!=|<|>)\\s*[23]");
+  std::map<std::string, int> found;
+  for (const Line& line : all_lines())
+    for (auto at = std::sregex_iterator(line.text.begin(), line.text.end(), comparison); at != std::sregex_iterator();
+         ++at)
+      ++found[line.file];
+  for (const auto& [file, count] : found) {
+    const auto allowed = kTellDimensionsApart.find(file);
+    EXPECT_LE(count, allowed == kTellDimensionsApart.end() ? 0 : allowed->second)
+        << file << " tells dimensions apart; ask Freedoms, or a table, or geometry";
+  }
+}
+
+TEST(ElasticHouse, OnlyFreedomsMultipliesByTheDimension) {
+  const std::regex arithmetic(
+      "\\b2 ?\\* ?(node|i\\b|s\\.(first|second|node)|spring\\.(first|second))|(freedom|\\bf|\\bi) ?[/%] ?2\\b");
+  for (const Line& line : all_lines())
+    EXPECT_FALSE(std::regex_search(line.text, arithmetic)) << line.file << ":" << line.number << ": " << line.text;
+}
+
+}  // namespace
+}  // namespace nodal::architecture
