@@ -122,6 +122,9 @@ std::string spread_text(const Picture& picture) {
 
 std::vector<std::string> picture_legend(const Picture& picture, const Frame& frame) {
   std::vector<std::string> sentences = {"Solid: the springs, coloured by stiffness on a logarithmic scale."};
+  if (!picture.nearness.empty())
+    sentences.emplace_back(
+        "In space: x to the right and down, y to the right and up, z up; what is farther is fainter.");
   if (!picture.loads.empty()) {
     sentences.emplace_back(any_unknown(picture) ? "Dotted, and crosses: the body itself, where that is known."
                                                 : "Dotted: the body itself.");
