@@ -40,7 +40,9 @@ class ShownBeam final : public ShownSystem {
   ShownBeam(std::string label, double thickness) : label_(std::move(label)), thickness_(thickness) {}
   [[nodiscard]] std::string failure() const override { return thickness_ > 0.0 ? "" : "a beam without thickness"; }
   [[nodiscard]] Value data() const override { return Value::Table{{"beam", label_}, {"thickness", thickness_}}; }
-  [[nodiscard]] std::string text() const override { return label_ + " is so thick: " + std::to_string(thickness_) + "\n"; }
+  [[nodiscard]] std::string text() const override {
+    return label_ + " is so thick: " + std::to_string(thickness_) + "\n";
+  }
   [[nodiscard]] std::string picture(const std::string& title) const override { return "<svg>" + title + "</svg>\n"; }
 
  private:
@@ -165,7 +167,8 @@ TEST_F(OwnProblem, IsFittedPrunedAndExported) {
   EXPECT_TRUE(read_file(folder_.path() / "f.txt").starts_with("words: "));
   EXPECT_TRUE(contains(call({"fit", "beam.toml", "--export", "f.json"}).err,
                        "'f.json' doesn't end in .txt or .step; what is fitted is written as words or STEP"));
-  EXPECT_TRUE(contains(call({"fit", "beam.toml", "--export", "f.step"}).err, "writing 'f.step' as STEP needs a foundry"));
+  EXPECT_TRUE(
+      contains(call({"fit", "beam.toml", "--export", "f.step"}).err, "writing 'f.step' as STEP needs a foundry"));
 }
 
 TEST_F(OwnProblem, IsInTableCsvAndPage) {

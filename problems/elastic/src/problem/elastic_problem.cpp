@@ -8,6 +8,8 @@
 
 #include "displacements/elastic_model.h"
 #include "displacements/spread.h"
+#include "objective/displacement_term.h"
+#include "objective/objective.h"
 #include "problem/elastic_evaluator.h"
 #include "show/exhibit.h"
 #include "starts/stiffness_bounds.h"
@@ -69,6 +71,7 @@ struct ElasticProblem::Data {
   }
 
   ElasticModel model;
+  Objective objective{{{std::make_shared<DisplacementTerm>(model)}}};
   Space space;
   std::vector<double> start_stiffness;
   std::size_t moved_starts = 0;
@@ -85,18 +88,16 @@ const Space& ElasticProblem::space() const { return data_->space; }
 const Scene& ElasticProblem::scene() const noexcept { return data_->model.scene; }
 const Parameters& ElasticProblem::parameters() const noexcept { return data_->model.parameters; }
 
-Abilities ElasticProblem::abilities() const {
-  return {.gradient = true, .residuals = true, .jacobian_products = true, .moves = true};
-}
+Abilities ElasticProblem::abilities() const { return data_->objective.abilities(); }
 
 std::string ElasticProblem::fit_refusal() const { return scene().fit_refusal; }
 
 const std::vector<double>& ElasticProblem::start_stiffness() const noexcept { return data_->start_stiffness; }
 
-std::size_t ElasticProblem::residual_count() const { return data_->model.residual_count; }
+std::size_t ElasticProblem::residual_count() const { return data_->objective.residual_count(); }
 
 std::unique_ptr<Evaluator> ElasticProblem::make_evaluator() const {
-  return std::make_unique<ElasticEvaluator>(data_->model);
+  return std::make_unique<ElasticEvaluator>(data_->model.parameters, data_->objective);
 }
 
 std::optional<double> ElasticProblem::relative_error(double cost) const {
@@ -115,18 +116,24 @@ std::vector<double> ElasticProblem::stiffness(std::span<const double> x) const {
 
 State ElasticProblem::solve(std::span<const double> stiffness) const {
   State state;
-  ElasticEvaluator evaluator(data_->model);
-  const Evaluation result = evaluator.solve_refined(stiffness, state.message);
-  state.status = result.status;
-  state.health = evaluator.health();
-  if (!result.ok()) return state;
-  state.quality = quality(result.cost);
-  state.relative_error = relative_error(result.cost).value_or(0.0);
+  if (stiffness.size() != parameters().springs())
+    throw std::invalid_argument(
+        fmt::format("solve: {} stiffnesses for {} springs", stiffness.size(), parameters().springs()));
+  FullEvaluation evaluation(data_->model);
+  state.status = evaluation.solve(stiffness, true);
+  state.health = evaluation.health();
+  if (state.status != Status::ok) {
+    state.message = evaluation.describe(state.status);
+    return state;
+  }
+  const double cost = data_->model.cost(evaluation.squared());
+  state.quality = quality(cost);
+  state.relative_error = relative_error(cost).value_or(0.0);
   state.health.findings = {spread_of(stiffness)};
   const double unit = data_->model.displacement_unit;
   state.loads.resize(scene().loads.loads.size());
   for (std::size_t g = 0; g < data_->model.groups.size(); ++g) {
-    Equilibrium& equilibrium = evaluator.equilibrium(g);
+    const Equilibrium& equilibrium = evaluation.group(g);
     const EquilibriumGroup& group = equilibrium.group();
     for (std::size_t l = 0; l < group.loads().size(); ++l) {
       const LoadCase& load = scene().loads.loads[group.loads()[l].index];

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "objective/objective.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+namespace nodal::elastic {
+
+Objective::Objective(std::vector<WeightedTerm> fitted, std::vector<std::shared_ptr<const Term>> held_out)
+    : fitted_(std::move(fitted)), held_out_(std::move(held_out)) {
+  if (fitted_.empty()) throw std::invalid_argument("an objective needs a term to fit");
+  for (const WeightedTerm& part : fitted_)
+    if (!(part.weight > 0.0)) throw std::invalid_argument("a fitted term's weight must be positive");
+}
+
+Abilities Objective::abilities() const {
+  Abilities all = fitted_.front().term->abilities();
+  for (const WeightedTerm& part : fitted_) {
+    const Abilities own = part.term->abilities();
+    all.gradient = all.gradient && own.gradient;
+    all.residuals = all.residuals && own.residuals;
+    all.jacobian_products = all.jacobian_products && own.jacobian_products;
+    all.moves = all.moves && own.moves && fitted_.size() == 1 && part.weight == 1.0;
+  }
+  return all;
+}
+
+std::size_t Objective::residual_count() const {
+  std::size_t count = 0;
+  for (const WeightedTerm& part : fitted_) count += part.term->residual_count();
+  return count;
+}
+
+std::unique_ptr<ObjectiveEvaluator> Objective::make_evaluator() const {
+  return std::make_unique<ObjectiveEvaluator>(*this);
+}
+
+ObjectiveEvaluator::ObjectiveEvaluator(const Objective& objective) {
+  std::size_t first = 0;
+  for (const WeightedTerm& part : objective.fitted()) {
+    const std::size_t count = part.term->residual_count();
+    parts_.push_back({part.term->make_evaluator(), part.weight, std::sqrt(part.weight), count, first});
+    first += count;
+  }
+  for (const auto& term : objective.held_out()) {
+    held_out_names_.emplace_back(term->name());
+    held_out_.push_back(term->make_evaluator());
+  }
+}
+
+// The first term that fails ends it: its status is the objective's.
+template <class Ask>
+Evaluation ObjectiveEvaluator::sum_of(Ask ask) {
+  double cost = 0.0;
+  for (Part& part : parts_) {
+    const Evaluation evaluation = ask(*part.evaluator);
+    if (!evaluation.ok()) return evaluation;
+    cost += part.weight * evaluation.cost;
+  }
+  return {Status::ok, cost};
+}
+
+Evaluation ObjectiveEvaluator::value(const System& system) {
+  return sum_of([&](TermEvaluator& term) { return term.value(system); });
+}
+
+Evaluation ObjectiveEvaluator::audit(const System& system) {
+  health_ = {};
+  const Evaluation result = sum_of([&](TermEvaluator& term) {
+    const Evaluation evaluation = term.audit(system);
+    health_ = term.health();  // of several the last: figures of different terms can't be mixed
+    return evaluation;
+  });
+  if (!result.ok()) return result;
+  for (std::size_t t = 0; t < held_out_.size(); ++t)
+    if (const Evaluation unseen = held_out_[t]->audit(system); unseen.ok())
+      health_.findings.push_back({held_out_names_[t], std::sqrt(2.0 * unseen.cost)});
+  return result;
+}
+
+Status ObjectiveEvaluator::residuals(std::span<double> r) {
+  for (Part& part : parts_) {
+    const std::span<double> own = r.subspan(part.first, part.residuals);
+    if (const Status status = part.evaluator->residuals(own); status != Status::ok) return status;
+    if (part.weight != 1.0)
+      for (double& entry : own) entry *= part.root;
+  }
+  return Status::ok;
+}
+
+Status ObjectiveEvaluator::add_gradient(const SystemGradient& gradient) {
+  for (Part& part : parts_)
+    if (const Status status = part.evaluator->add_gradient(part.weight, gradient); status != Status::ok) return status;
+  return Status::ok;
+}
+
+Status ObjectiveEvaluator::product(const System& direction, std::span<double> jv) {
+  for (Part& part : parts_) {
+    const std::span<double> own = jv.subspan(part.first, part.residuals);
+    if (const Status status = part.evaluator->product(direction, own); status != Status::ok) return status;
+    if (part.weight != 1.0)
+      for (double& entry : own) entry *= part.root;
+  }
+  return Status::ok;
+}
+
+Status ObjectiveEvaluator::add_transposed_product(std::span<const double> w, const SystemGradient& gradient) {
+  for (Part& part : parts_) {
+    std::span<const double> own = w.subspan(part.first, part.residuals);
+    if (part.weight != 1.0) {
+      scaled_.assign(own.begin(), own.end());
+      for (double& entry : scaled_) entry *= part.root;
+      own = scaled_;
+    }
+    if (const Status status = part.evaluator->add_transposed_product(own, gradient); status != Status::ok) return status;
+  }
+  return Status::ok;
+}
+
+Status ObjectiveEvaluator::jacobian(const Parameters& parameters, std::span<double> rows) {
+  for (Part& part : parts_) {
+    const std::span<double> own = rows.subspan(part.first * parameters.size(), part.residuals * parameters.size());
+    if (const Status status = part.evaluator->jacobian(parameters, own); status != Status::ok) return status;
+    if (part.weight != 1.0)
+      for (double& entry : own) entry *= part.root;
+  }
+  return Status::ok;
+}
+
+Moves* ObjectiveEvaluator::moves() {
+  return parts_.size() == 1 && parts_.front().weight == 1.0 ? parts_.front().evaluator->moves() : nullptr;
+}
+
+Work ObjectiveEvaluator::work() const {
+  Work total;
+  for (const Part& part : parts_) total += part.evaluator->work();
+  return total;
+}
+
+}  // namespace nodal::elastic

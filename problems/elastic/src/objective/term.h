@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+/// A part of the objective: half a sum of squares of a spring system's own quantities, its stiffnesses and masses.
+///
+/// A term doesn't know what a search varies: the chain from stiffnesses to coordinates is done once, by Parameters. So a
+/// new term is residuals of a system and their derivatives, and every way of tying springs works with it.
+/// Terms that are *fitted* make up the cost; terms that are *held out* are evaluated where results are reported, and never
+/// enter cost, gradient or walk (objective.h).
+/// Shapes   stiffness: [springs], N/m; mass: [nodes], kg, empty where nothing needs masses.
+/// Threads  Term: immutable, shared. TermEvaluator: one thread.
+
+#include <memory>
+#include <span>
+#include <string_view>
+
+#include <nodal/elastic/parameters.h>
+#include <nodal/problem.h>
+
+namespace nodal::elastic {
+
+/// Physical values at a point.
+struct System {
+  std::span<const double> stiffness, mass = {};
+};
+
+/// Derivatives by them; what is computed is added.
+struct SystemGradient {
+  std::span<double> stiffness, mass = {};
+};
+
+/// Keeps its last point: derivatives are asked for there, after a value that was ok. What it was given must stay as it is
+/// until the next value. After the first call of each kind nothing is allocated.
+class TermEvaluator {
+ public:
+  virtual ~TermEvaluator() = default;
+
+  /// ½ Σ r².
+  virtual Evaluation value(const System& system) = 0;
+  /// The same as exactly as can be had, filling `health`.
+  virtual Evaluation audit(const System& system) = 0;
+
+  /// [residual_count] r.
+  virtual Status residuals(std::span<double> r) = 0;
+  /// Adds weight · ∂(½ Σ r²).
+  virtual Status add_gradient(double weight, const SystemGradient& gradient) = 0;
+  /// jv = Σ ∂r/∂(k, m) direction.
+  virtual Status product(const System& direction, std::span<double> jv) = 0;
+  /// Adds w·∂r.
+  virtual Status add_transposed_product(std::span<const double> w, const SystemGradient& gradient) = 0;
+  /// [residual_count][coordinates] ∂r/∂x, written through the ties: every entry.
+  virtual Status jacobian(const Parameters& parameters, std::span<double> rows) = 0;
+
+  /// The walk of an objective of this term alone; nothing where the term has none. Lives as long as this object.
+  [[nodiscard]] virtual Moves* moves() { return nullptr; }
+  [[nodiscard]] virtual Work work() const = 0;
+  /// Of the last audit.
+  [[nodiscard]] virtual Health health() const { return {}; }
+
+ protected:
+  TermEvaluator() = default;
+  TermEvaluator(const TermEvaluator&) = delete;
+  TermEvaluator& operator=(const TermEvaluator&) = delete;
+};
+
+class Term {
+ public:
+  virtual ~Term() = default;
+
+  [[nodiscard]] virtual std::string_view name() const = 0;
+  [[nodiscard]] virtual Abilities abilities() const = 0;
+  [[nodiscard]] virtual std::size_t residual_count() const = 0;
+  [[nodiscard]] virtual std::unique_ptr<TermEvaluator> make_evaluator() const = 0;
+
+ protected:
+  Term() = default;
+  Term(const Term&) = delete;
+  Term& operator=(const Term&) = delete;
+};
+
+}  // namespace nodal::elastic
