@@ -48,7 +48,8 @@ TEST_F(BlockExport, HasThePlacesOfNodes) {
 TEST_F(BlockExport, OfAnotherBlockIsRefused) {
   const auto block = make_block({.topology = "single"});
   write("fitted.json", system_json(*block, block->start_stiffness()));
-  EXPECT_PRED2(says, toy::message_of([&] { (void)from_file({}); }), "is missing; every spring of the net must stand once");
+  EXPECT_PRED2(says, toy::message_of([&] { (void)from_file({}); }),
+               "is missing; every spring of the net must stand once");
 }
 
 }  // namespace

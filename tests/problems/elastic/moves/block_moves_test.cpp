@@ -99,10 +99,10 @@ INSTANTIATE_TEST_SUITE_P(Forms, BlockMoves, testing::ValuesIn(walks()), [](const
 TEST(BlockAnnealing, AcceptsTheSameWithEveryForm) {
   for (const char* supports : {"face", "minimal"}) {
     const auto run = [&](const std::string& form) {
-      const Study study = parse_study("[study]\nseed = 3\n[budget]\nevaluations = 3000\n" +
-                                          block_toml({.supports = supports, .moves = form}) +
-                                          "[[optimizer]]\nuse = \"annealing\"\n",
-                                      "block.toml", components());
+      const Study study =
+          parse_study("[study]\nseed = 3\n[budget]\nevaluations = 3000\n" +
+                          block_toml({.supports = supports, .moves = form}) + "[[optimizer]]\nuse = \"annealing\"\n",
+                      "block.toml", components());
       return run_trial(study, {0, 0, 0}, components());
     };
     const TrialRecord expected = run("full");

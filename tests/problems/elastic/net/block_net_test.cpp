@@ -117,8 +117,8 @@ TEST_P(BlockNet, TetrahedraFitTogether) {
     bool on_face = false;
     for (std::size_t axis = 0; axis < 3; ++axis)
       for (const double end : {net.body.box->low[axis], net.body.box->high[axis]})
-        on_face = on_face ||
-                  std::ranges::all_of(triangle, [&](std::size_t node) { return net.nodes[node][axis] == end; });
+        on_face =
+            on_face || std::ranges::all_of(triangle, [&](std::size_t node) { return net.nodes[node][axis] == end; });
     EXPECT_EQ(count, on_face ? 1 : 2);
   }
 }
@@ -134,8 +134,8 @@ TEST_P(BlockNet, SurfaceCloses) {
     Vector middle{};
     for (const std::size_t node : facet.nodes)
       for (std::size_t a = 0; a < 3; ++a) middle[a] += 0.25 * net.nodes[node][a];
-    const Vector of_corners =
-        cross(net.nodes[facet.nodes[2]] - net.nodes[facet.nodes[0]], net.nodes[facet.nodes[3]] - net.nodes[facet.nodes[1]]);
+    const Vector of_corners = cross(net.nodes[facet.nodes[2]] - net.nodes[facet.nodes[0]],
+                                    net.nodes[facet.nodes[3]] - net.nodes[facet.nodes[1]]);
     const Vector centre = {1.75, -1.5, 6.0};
     EXPECT_GT(dot(facet.area, middle - centre), 0.0);
     EXPECT_NEAR(norm(of_corners), 2.0 * norm(facet.area), 1e-14);
@@ -188,7 +188,9 @@ TEST(BlockNets, AreRefused) {
   };
   EXPECT_EQ(refusal("grid", {3, 3, 3}), "a block can't be connected by 'grid'");
   EXPECT_EQ(refusal("faces", {3, 1, 3}), "a block needs at least 2 × 2 × 2 nodes");
-  EXPECT_EQ(toy::message_of<Refusal>([] { (void)make_block_net(rectangle_body({0, 0}, {1, 1}), {2, 2, 2}, "faces"); }),
+  EXPECT_EQ(toy::message_of<Refusal>([] {
+              (void)make_block_net(rectangle_body({0, 0}, {1, 1}), {2, 2, 2}, "faces");
+            }),
             "a block of nodes needs a body that is a box");
 }
 

@@ -14,8 +14,9 @@ namespace nodal::elastic {
 namespace {
 
 Net block(const std::array<std::size_t, 3>& counts, const Vector& size, const std::string& topology = "crossed") {
-  return make_block_net(Body{.name = "box", .rings = {}, .box = Extent{{1.0, 2.0, -3.0}, {1.0 + size[0], 2.0 + size[1], size[2] - 3.0}}},
-                        counts, topology);
+  return make_block_net(
+      Body{.name = "box", .rings = {}, .box = Extent{{1.0, 2.0, -3.0}, {1.0 + size[0], 2.0 + size[1], size[2] - 3.0}}},
+      counts, topology);
 }
 
 std::vector<std::string> names(const Net& net, const ParameterRule& rule) {

@@ -96,9 +96,7 @@ Rigidity checked(const Rigidity& r, const Frame& frame, const std::vector<std::s
   return r;
 }
 
-Rigidity of_free(const Frame& frame) {
-  return checked(free_rigidity({3, frame.nodes, frame.springs}), frame, {});
-}
+Rigidity of_free(const Frame& frame) { return checked(free_rigidity({3, frame.nodes, frame.springs}), frame, {}); }
 Rigidity of(const Frame& frame, const std::vector<std::size_t>& fixed) {
   return checked(rigidity({3, frame.nodes, frame.springs}, fixed), frame, fixed);
 }

@@ -31,18 +31,17 @@ TEST_P(BlockStart, HasTheKnownQuality) {
 }
 
 double fitted_quality(const BlockRow& row, const std::string& optimizer) {
-  const Study study = parse_study("[study]\nrepeats = 1\n[budget]\nevaluations = 20000\n" +
-                                      block_toml({.poisson = row.poisson,
-                                                  .topology = row.topology,
-                                                  .initial = '"' + std::string(row.from) + '"'}) +
-                                      "[[optimizer]]\nuse = \"" + optimizer + "\"\n",
-                                  "block.toml", components());
+  const Study study = parse_study(
+      "[study]\nrepeats = 1\n[budget]\nevaluations = 20000\n" +
+          block_toml({.poisson = row.poisson, .topology = row.topology, .initial = '"' + std::string(row.from) + '"'}) +
+          "[[optimizer]]\nuse = \"" + optimizer + "\"\n",
+      "block.toml", components());
   const TrialRecord record = run_trial(study, {0, 0, 0}, components());
   return record.best ? record.best->summary.quality.value_or(-1.0) : -1.0;
 }
 
-// Of the last row the known best is where quasi-Newton steps lead; steps of least squares end beside it, at 5.56917, from
-// the paper's start, and there from another.
+// Of the last row the known best is where quasi-Newton steps lead; steps of least squares end beside it, at 5.56917,
+// from the paper's start, and there from another.
 TEST_P(BlockStart, LeadsToTheKnownBest) {
   const BlockRow& row = GetParam();
   const double quality = fitted_quality(row, "gauss-newton");
@@ -54,19 +53,15 @@ TEST_P(BlockStart, LeadsToTheKnownBest) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Poisson, BlockStart,
-                         testing::Values(BlockRow{0.10, "faces", 19.8316, 4.606878},
-                                         BlockRow{0.20, "faces", 26.9087, 1.534802},
-                                         BlockRow{0.25, "faces", 31.0076, 0.0},
-                                         BlockRow{0.30, "faces", 35.3110, 1.500447},
-                                         BlockRow{0.40, "faces", 44.2906, 4.366403},
-                                         BlockRow{0.45, "faces", 48.8983, 5.820214},
-                                         BlockRow{0.10, "crossed", 58.8170, 4.421060},
-                                         BlockRow{0.20, "crossed", 67.2984, 1.508760},
-                                         BlockRow{0.25, "crossed", 71.6651, 0.0},
-                                         BlockRow{0.30, "crossed", 76.0967, 1.451162},
-                                         BlockRow{0.40, "crossed", 85.1137, 4.235545},
-                                         BlockRow{0.45, "crossed", 89.6837, 5.547242, "area"}));
+INSTANTIATE_TEST_SUITE_P(
+    Poisson, BlockStart,
+    testing::Values(BlockRow{0.10, "faces", 19.8316, 4.606878}, BlockRow{0.20, "faces", 26.9087, 1.534802},
+                    BlockRow{0.25, "faces", 31.0076, 0.0}, BlockRow{0.30, "faces", 35.3110, 1.500447},
+                    BlockRow{0.40, "faces", 44.2906, 4.366403}, BlockRow{0.45, "faces", 48.8983, 5.820214},
+                    BlockRow{0.10, "crossed", 58.8170, 4.421060}, BlockRow{0.20, "crossed", 67.2984, 1.508760},
+                    BlockRow{0.25, "crossed", 71.6651, 0.0}, BlockRow{0.30, "crossed", 76.0967, 1.451162},
+                    BlockRow{0.40, "crossed", 85.1137, 4.235545},
+                    BlockRow{0.45, "crossed", 89.6837, 5.547242, "area"}));
 
 // Σ k L² = 6 E V: what a body of ν = 1/4 stores when it grows evenly. Exact but for rounding of some hundred terms.
 TEST(BlockAreaStart, CarriesTheEnergyOfTheBody) {
@@ -105,10 +100,9 @@ TEST(BlockLatticeStart, IsRefusedWhereItWouldNotBeExact) {
       "block.toml:6: the 'lattice' rule in space needs topology 'faces' on cubes; body diagonals break it under shear; "
       "take springs = { initial = \"area\" }";
   EXPECT_EQ(toy::message_of([] { (void)make_block({.initial = "\"lattice\""}); }), expected);
-  EXPECT_EQ(toy::message_of([] {
-              (void)make_block({.size = "[2, 2, 3]", .topology = "faces", .initial = "\"lattice\""});
-            }),
-            expected);
+  EXPECT_EQ(
+      toy::message_of([] { (void)make_block({.size = "[2, 2, 3]", .topology = "faces", .initial = "\"lattice\""}); }),
+      expected);
 }
 
 // Between the start and the best; at ν = 1/4 the energy has the exact lattice as its minimum.
