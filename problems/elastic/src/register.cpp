@@ -48,7 +48,8 @@ ProblemDescription describe_elastic() {
           .listings = {topology_list()},
           .samples = {{},
                       {"small", "points = { layout = \"grid\", counts = [4, 3] }\n"},
-                      {"tied", "springs = { parameters = \"by-direction\" }\nloads = { supports = \"minimal\" }\n"}}};
+                      {"tied", "springs = { parameters = \"by-direction\" }\nloads = { supports = \"minimal\" }\n"},
+                      {"cube", "body = { size = [2, 2, 2] }\npoints = { counts = [3, 3, 3] }\n"}}};
 }
 
 }  // namespace

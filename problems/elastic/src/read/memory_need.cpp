@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 double memory_need(std::size_t nodes, std::size_t groups, std::size_t dimension) {
   if (dimension == 3) {
-    constexpr double kOfBlock = 2000.0, kOfBlockGroup = 800.0;
+    constexpr double kOfBlock = 1600.0, kOfBlockGroup = 1900.0;
     return std::pow(static_cast<double>(nodes), 4.0 / 3.0) * (kOfBlock + kOfBlockGroup * static_cast<double>(groups));
   }
   constexpr double kOfNet = 200.0, kOfGroup = 250.0;

@@ -4,10 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include <nodal/random.h>
 
-#include "../plate.h"
+#include "../block.h"
 
 namespace nodal::elastic {
 namespace {
@@ -25,18 +26,25 @@ double norm(std::span<const double> v) {
   return std::sqrt(sum);
 }
 
+constexpr const char* kWide = "[1e-6, 1e6]";
+
 struct Variant {
   const char* name;
-  PlateOptions options;
+  std::function<std::shared_ptr<const ElasticProblem>()> make;
 };
+
+Variant plate(const char* name, PlateOptions options) {
+  options.bounds = kWide;
+  return {name, [options] { return make_plate(options); }};
+}
+Variant block(const char* name, BlockOptions options) {
+  options.bounds = kWide;
+  return {name, [options] { return make_block(options); }};
+}
 
 class Derivatives : public testing::TestWithParam<Variant> {
  protected:
-  Derivatives() : problem_(make_plate(wide(GetParam().options))), evaluator_(problem_->make_evaluator()) {}
-  static PlateOptions wide(PlateOptions o) {
-    o.bounds = "[1e-6, 1e6]";
-    return o;
-  }
+  Derivatives() : problem_(GetParam().make()), evaluator_(problem_->make_evaluator()) {}
 
   std::shared_ptr<const ElasticProblem> problem_;
   std::unique_ptr<Evaluator> evaluator_;
@@ -145,10 +153,14 @@ TEST_P(Derivatives, MovesArePricedLikeFullEvaluations) {
 
 INSTANTIATE_TEST_SUITE_P(
     Variants, Derivatives,
-    testing::Values(Variant{"edge", {}}, Variant{"minimal", {.supports = "minimal"}},
-                    Variant{"tied", {.parameters = "by-direction"}}, Variant{"symmetric", {.parameters = "symmetric"}},
-                    Variant{"strain_alternating", {.plane = "strain", .topology = "alternating", .counts = "[6, 4]"}},
-                    Variant{"supernodal", {.solver = "supernodal"}}),
+    testing::Values(plate("edge", {}), plate("minimal", {.supports = "minimal"}),
+                    plate("tied", {.parameters = "by-direction"}), plate("symmetric", {.parameters = "symmetric"}),
+                    plate("strain_alternating", {.plane = "strain", .topology = "alternating", .counts = "[6, 4]"}),
+                    plate("supernodal", {.solver = "supernodal"}), block("block_face_lanes", {.solver = "lanes"}),
+                    block("block_face_cholmod", {.topology = "single", .solver = "simplicial"}),
+                    block("block_minimal_lanes", {.counts = "[2, 3, 4]", .supports = "minimal", .solver = "lanes"}),
+                    block("block_symmetric_cholmod",
+                          {.topology = "faces", .parameters = "symmetric", .solver = "supernodal"})),
     [](const auto& p) { return p.param.name; });
 
 }  // namespace

@@ -29,6 +29,19 @@ TEST(MemoryNeed, IsNearWhatWasMeasured) {
   }
 }
 
+// The same for crossed cubes of n × n × n nodes, under `face` and `minimal` supports.
+TEST(MemoryNeed, IsNearWhatWasMeasuredInSpace) {
+  const struct {
+    std::size_t side, groups;
+    double measured;
+  } rows[] = {{10, 6, 119e6}, {16, 6, 825e6}, {20, 6, 2258e6}, {10, 1, 39.6e6}, {16, 1, 231e6}, {20, 1, 493e6}};
+  for (const auto& row : rows) {
+    const double ratio = memory_need(row.side * row.side * row.side, row.groups, 3) / row.measured;
+    EXPECT_GT(ratio, 0.75) << row.side;
+    EXPECT_LT(ratio, 1.25) << row.side;
+  }
+}
+
 TEST(MemoryNeed, IsRefusedWithItsSize) {
   const Source source{"s.toml", 4};
   EXPECT_EQ(

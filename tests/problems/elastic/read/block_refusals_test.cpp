@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What studies in space can't ask for, and where they are told.
+#include <gtest/gtest.h>
+
+#include "../study_files.h"
+
+namespace nodal::elastic {
+namespace {
+
+struct Bad {
+  const char* name;
+  const char* problem;
+  const char* message;
+};
+
+void PrintTo(const Bad& bad, std::ostream* out) { *out << bad.name; }
+
+class BlockRefusal : public StudyFiles, public testing::WithParamInterface<Bad> {};
+
+TEST_P(BlockRefusal, SaysWhatAndWhere) {
+  write("nodes.csv", "x,y\n0,0\n1,0\n0,1\n");
+  write("springs.csv", "first,second\n0,1\n");
+  EXPECT_EQ(refusal(GetParam().problem), GetParam().message);
+}
+
+#define BOX "body = { size = [2, 2, 2] }\n"
+INSTANTIATE_TEST_SUITE_P(
+    Studies, BlockRefusal,
+    testing::Values(
+        Bad{"counts_of_the_plane", BOX "points = { counts = [3, 3] }\n",
+            "study.toml:6: 'counts' has 2 entries; a body in space needs 3"},
+        Bad{"counts_of_space", "points = { counts = [3, 3, 3] }\n",
+            "study.toml:5: 'counts' has 3 entries; a body in the plane needs 2"},
+        Bad{"one_layer", BOX "points = { counts = [3, 3, 1] }\n",
+            "study.toml:6: 'counts' is [3, 3, 1]: a grid with one row or column has no volume; give at least 2 nodes "
+            "in each direction"},
+        Bad{"too_many", BOX "points = { counts = [1000, 1000, 2] }\n",
+            "study.toml:6: 'counts' is [1000, 1000, 2]: more than 1000000 nodes"},
+        Bad{"four_counts", BOX "points = { counts = [3, 3, 3, 3] }\n",
+            "study.toml:6: 'counts' of 'points' of problem 'elastic' has 4 entries; it must have 2 or 3"},
+        Bad{"edge", BOX "loads = { supports = \"edge\" }\n",
+            "study.toml:6: supports = \"edge\" are none in space; take \"face\", or \"minimal\""},
+        Bad{"face", "loads = { supports = \"face\" }\n",
+            "study.toml:5: supports = \"face\" are none in the plane; take \"edge\", or \"minimal\""},
+        Bad{"no_stress", BOX "loads = { stress = 0 }\n",
+            "study.toml:6: 'stress' is 0: the reference displacement is zero everywhere, so there is nothing to fit"},
+        Bad{"own_loads", BOX "[[problem.loads.cases]]\nname = \"pull\"\nsupports = [{ nodes = [1] }]\n",
+            "study.toml:6: loads of your own are read in the plane only; a body in space takes loads = { set = "
+            "\"basic\" }"},
+        Bad{"measured", BOX "reference = { file = \"u.csv\" }\n",
+            "study.toml:6: measured displacements are read in the plane only"},
+        Bad{"masses", BOX "masses = { form = \"least-norm\" }\n",
+            "study.toml:6: masses are found in the plane only; equilibria need none: leave 'masses' out"},
+        Bad{"thickness", "body = { size = [2, 2, 2], thickness = 2 }\n",
+            "study.toml:5: 'thickness' belongs to bodies in the plane, not to a box"},
+        Bad{"corner_turn", "body = { size = [2, 2, 2], corner_turn = 20 }\n",
+            "study.toml:5: 'corner_turn' belongs to bodies in the plane, not to a box"},
+        Bad{"on_outline", "body = { size = [2, 2, 2], on_outline = 1e-4 }\n",
+            "study.toml:5: 'on_outline' belongs to bodies in the plane, not to a box"},
+        Bad{"plane_strain", BOX "material = { plane = \"strain\" }\n",
+            "study.toml:6: 'plane' belongs to bodies in the plane, not to a box"},
+        Bad{"incompressible", BOX "material = { poisson = 0.49995 }\n",
+            "study.toml:6: 'poisson' is 0.49995: in space a body this incompressible can't be computed with; it must "
+            "be ≤ 0.4999"},
+        Bad{"springs_of_a_file", BOX "springs = { file = \"springs.csv\" }\n",
+            "study.toml:6: springs of a file are read in the plane only"},
+        Bad{"points_of_a_file", BOX "points = { file = \"nodes.csv\" }\n",
+            "study.toml:6: nodes of a file are read in the plane only; a box takes a grid: points = { counts = [5, 5, "
+            "5] }"},
+        Bad{"voronoi", BOX "points = { layout = \"voronoi\", total = 30 }\n",
+            "study.toml:6: a body in space takes a grid: points = { counts = [5, 5, 5] }"},
+        Bad{"spacing", BOX "points = { spacing = 0.5 }\n",
+            "study.toml:6: a body in space takes a grid: points = { counts = [5, 5, 5] }"},
+        Bad{"cells", BOX "points = { cell = [0.5, 0.5] }\n",
+            "study.toml:6: a body in space takes a grid: points = { counts = [5, 5, 5] }"},
+        Bad{"faces_in_the_plane", "springs = { topology = \"faces\" }\n",
+            "study.toml:5: topology 'faces' is none in the plane; take springs = { topology = \"crossed\" }"},
+        Bad{"delaunay", BOX "springs = { topology = \"delaunay\" }\n",
+            "study.toml:6: topology 'delaunay' is none in space; take springs = { topology = \"crossed\" }"},
+        Bad{"nearest", BOX "springs = { topology = \"nearest\" }\n",
+            "study.toml:6: topology 'nearest' is none in space; take springs = { topology = \"crossed\" }"},
+        Bad{"mechanism", BOX "springs = { topology = \"grid\" }\n",
+            "study.toml:6: topology 'grid' is a mechanism: without diagonals its cells shear without resistance; take "
+            "springs = { topology = \"crossed\" }, or \"single\" or \"alternating\""},
+        Bad{"lattice", BOX "springs = { initial = \"lattice\" }\n",
+            "study.toml:6: the 'lattice' rule in space needs topology 'faces' on cubes; body diagonals break it under "
+            "shear; take springs = { initial = \"area\" }"},
+        Bad{"flat", "body = { size = [2, 2, 0] }\n",
+            "study.toml:5: entry 3 of 'size' of 'body' of problem 'elastic' is 0; allowed: size > 0"},
+        Bad{"infinite", "body = { size = [2, 2, inf] }\n",
+            "study.toml:5: entry 3 of 'size' of 'body' of problem 'elastic' must be finite, not inf"},
+        Bad{"no_size", "body = { shape = \"box\" }\n",
+            "study.toml:5: shape 'box' in 'body' needs 'size'; 'box' has 'size', 'corner'"},
+        Bad{"size_of_a_rectangle", "body = { shape = \"box\", size = [2, 2] }\n",
+            "study.toml:5: 'size' has 2 entries; shape 'box' needs 3"},
+        Bad{"box_as_a_rectangle", "body = { shape = \"rectangle\", size = [2, 2, 2] }\n",
+            "study.toml:5: 'size' has 3 entries; shape 'rectangle' needs 2"},
+        Bad{"corner_of_a_rectangle", "body = { size = [2, 2, 2], corner = [0, 0] }\n",
+            "study.toml:5: 'corner' has 2 entries; shape 'box' needs 3"},
+        Bad{"four_sizes", "body = { size = [2, 2, 2, 2] }\n",
+            "study.toml:5: 'size' of 'body' of problem 'elastic' has 4 entries; it must have 2 or 3"},
+        Bad{"radius", "body = { shape = \"box\", size = [2, 2, 2], radius = 1 }\n",
+            "study.toml:5: 'radius' in 'body' belongs to shape 'disc', 'ring', 'regular', not to 'box'; 'box' has "
+            "'size', 'corner'"}),
+    [](const auto& p) { return p.param.name; });
+#undef BOX
+
+}  // namespace
+}  // namespace nodal::elastic
