@@ -7,6 +7,7 @@
 #include <fmt/ranges.h>
 
 #include "lanes/lane_instructions.h"
+#include "moves/pricing_forms.h"
 #include "points/written_places.h"
 #include "read/body_options.h"
 #include "read/memory_need.h"
@@ -45,14 +46,24 @@ std::string instructions_refusal(const std::string& name) {
   return found == compiled.end() ? "this build has no kernels for '" + name + "'" : "this processor has no " + name;
 }
 
+// What to write instead where springs are tied.
+std::string forms_for_ties() {
+  std::vector<std::string> names;
+  for (const PricingFormDescription* form : pricing_forms())
+    if (!form->listed) names.push_back(fmt::format("\"{}\"", form->name));
+  const std::string last = names.back();
+  names.pop_back();
+  return fmt::format("moves = {{ form = \"auto\" }}, or {} or {}", fmt::join(names, ", "), last);
+}
+
 MovesOptions read_moves(const Options& options, const Scene& scene) {
   const MovesOptions moves{options.text("form"), options.text("instructions")};
-  const bool listed = moves.form == "eager" || moves.form == "updown";
-  if (listed && !Parameters(scene.net, scene.parameter_rule).one_to_one())
-    throw InputError(options.at("form").source,
-                     fmt::format("'{}' prices one changed spring at a time, and parameters = '{}' ties springs; take "
-                                 "moves = {{ form = \"auto\" }}, or \"lazy\", \"refactor\" or \"full\"",
-                                 moves.form, scene.parameter_rule.name));
+  const PricingFormDescription* form = find_named(pricing_forms(), moves.form);
+  if (form && form->listed && !Parameters(scene.net, scene.parameter_rule).one_to_one())
+    throw InputError(
+        options.at("form").source,
+        fmt::format("'{}' prices one changed spring at a time, and parameters = '{}' ties springs; take {}", moves.form,
+                    scene.parameter_rule.name, forms_for_ties()));
   if (const std::string refusal = instructions_refusal(moves.instructions); !refusal.empty())
     throw InputError(options.at("instructions").source,
                      fmt::format("{}; take moves = {{ instructions = \"auto\" }}, which is '{}' here", refusal,

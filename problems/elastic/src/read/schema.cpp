@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include "import/table_options.h"
+#include "moves/pricing_forms.h"
 #include "read/body_options.h"
 #include "read/read_masses.h"
 #include "read/read_parameters.h"
@@ -99,15 +100,18 @@ OptionSchema springs_fields() {
 }
 
 OptionSchema moves_fields() {
+  std::vector<std::string> forms = {"auto"}, told;
+  for (const PricingFormDescription* form : pricing_forms()) {
+    forms.emplace_back(form->name);
+    told.push_back(fmt::format("{} {}", form->name, form->summary));
+  }
   return {
       {.name = "form",
        .type = OptionType::text,
        .default_value = "auto",
-       .choices = {"auto", "eager", "lazy", "refactor", "updown", "full"},
-       .help =
-           "auto chooses by size and by how much is accepted, and changes its mind; eager keeps a price list of all "
-           "springs, lazy solves for each proposal, refactor factors for each (all three for all support groups at "
-           "once), updown keeps the list by CHOLMOD's updates, full evaluates each proposal by CHOLMOD"},
+       .choices = std::move(forms),
+       .help = fmt::format("auto chooses by size and by how much is accepted, and changes its mind; {}",
+                           fmt::join(told, ", "))},
       {.name = "instructions",
        .type = OptionType::text,
        .default_value = "auto",
