@@ -114,7 +114,8 @@ Status ObjectiveEvaluator::add_transposed_product(std::span<const double> w, con
       for (double& entry : scaled_) entry *= part.root;
       own = scaled_;
     }
-    if (const Status status = part.evaluator->add_transposed_product(own, gradient); status != Status::ok) return status;
+    if (const Status status = part.evaluator->add_transposed_product(own, gradient); status != Status::ok)
+      return status;
   }
   return Status::ok;
 }

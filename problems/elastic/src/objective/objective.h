@@ -3,12 +3,11 @@
 
 /// The objective: ½ Σ_terms w_t Σ r², a sum of the terms that are fitted; and the terms that are held out.
 ///
-/// Residuals of fitted terms stand one after the other, each times √w_t. Held-out terms are evaluated at audits, after the
-/// fitted ones, and told as findings under their names: √(2 · their cost). An audit doesn't fail by them; a value, a
-/// derivative or a walk doesn't know of them.
-/// A single fitted term of weight 1 costs nothing more than the term: its own walk is the walk. Several have one when
-/// `moves` of each can be summed, which no term offers: then the ability is gone, and the meter walks by full values.
-/// Threads  Objective: immutable, shared. ObjectiveEvaluator: one thread.
+/// Residuals of fitted terms stand one after the other, each times √w_t. Held-out terms are evaluated at audits, after
+/// the fitted ones, and told as findings under their names: √(2 · their cost). An audit doesn't fail by them; a value,
+/// a derivative or a walk doesn't know of them. A single fitted term of weight 1 costs nothing more than the term: its
+/// own walk is the walk. Several have one when `moves` of each can be summed, which no term offers: then the ability is
+/// gone, and the meter walks by full values. Threads  Objective: immutable, shared. ObjectiveEvaluator: one thread.
 
 #include <memory>
 #include <span>
@@ -68,8 +67,8 @@ class ObjectiveEvaluator {
  private:
   struct Part {
     std::unique_ptr<TermEvaluator> evaluator;
-    double weight, root;               // w, √w
-    std::size_t residuals, first;      // how many, where they begin
+    double weight, root;           // w, √w
+    std::size_t residuals, first;  // how many, where they begin
   };
 
   template <class Ask>

@@ -3,12 +3,11 @@
 
 /// A part of the objective: half a sum of squares of a spring system's own quantities, its stiffnesses and masses.
 ///
-/// A term doesn't know what a search varies: the chain from stiffnesses to coordinates is done once, by Parameters. So a
-/// new term is residuals of a system and their derivatives, and every way of tying springs works with it.
-/// Terms that are *fitted* make up the cost; terms that are *held out* are evaluated where results are reported, and never
-/// enter cost, gradient or walk (objective.h).
-/// Shapes   stiffness: [springs], N/m; mass: [nodes], kg, empty where nothing needs masses.
-/// Threads  Term: immutable, shared. TermEvaluator: one thread.
+/// A term doesn't know what a search varies: the chain from stiffnesses to coordinates is done once, by Parameters. So
+/// a new term is residuals of a system and their derivatives, and every way of tying springs works with it. Terms that
+/// are *fitted* make up the cost; terms that are *held out* are evaluated where results are reported, and never enter
+/// cost, gradient or walk (objective.h). Shapes   stiffness: [springs], N/m; mass: [nodes], kg, empty where nothing
+/// needs masses. Threads  Term: immutable, shared. TermEvaluator: one thread.
 
 #include <memory>
 #include <span>
@@ -29,8 +28,8 @@ struct SystemGradient {
   std::span<double> stiffness, mass = {};
 };
 
-/// Keeps its last point: derivatives are asked for there, after a value that was ok. What it was given must stay as it is
-/// until the next value. After the first call of each kind nothing is allocated.
+/// Keeps its last point: derivatives are asked for there, after a value that was ok. What it was given must stay as it
+/// is until the next value. After the first call of each kind nothing is allocated.
 class TermEvaluator {
  public:
   virtual ~TermEvaluator() = default;
