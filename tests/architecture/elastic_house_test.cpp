@@ -19,6 +19,7 @@ namespace fs = std::filesystem;
 const fs::path kSources = fs::path(NODAL_SOURCE_DIR) / "problems/elastic/src";
 
 // What stands lower is included by what stands higher, never the other way round.
+<<<<<<< HEAD
 const std::vector<std::string> kFloors = {"geometry",       "triangulation", "geometry/plane",
                                           "geometry/space", "net",           "material",
                                           "points",         "import",        "springs",
@@ -28,6 +29,13 @@ const std::vector<std::string> kFloors = {"geometry",       "triangulation", "ge
                                           "moves",          "objective",     "show",
                                           "problem",        "export",        "reduce",
                                           "read",           "battery",       ""};
+=======
+const std::vector<std::string> kFloors = {
+    "tables",  "geometry", "triangulation", "geometry/plane", "geometry/space", "net",   "material",
+    "points",  "import",   "springs",       "masses",         "rigidity",       "loads", "system/factor",
+    "system",  "lanes",    "parameters",    "displacements",  "starts",         "moves", "show",
+    "problem", "export",   "reduce",        "read",           "battery",        ""};
+>>>>>>> c6eea80
 
 // Beside the floors' own geometry: readers, whose options differ, the tables of rules, and what writes or draws. Each
 // line is a place where plane and space part; fewer is better.
@@ -43,7 +51,12 @@ const std::map<std::string, int> kTellDimensionsApart = {{"export/system_export.
                                                          {"read/read_masses.cpp", 1},
                                                          {"read/read_points.cpp", 4},
                                                          {"read/require_rigid.cpp", 1},
+<<<<<<< HEAD
                                                          {"read/scene.cpp", 4},
+=======
+                                                         {"read/scene.cpp", 3},
+                                                         {"read/read_start.cpp", 1},
+>>>>>>> c6eea80
                                                          {"read/study_loads.cpp", 6},
                                                          {"rigidity/held.cpp", 2},
                                                          {"rigidity/rest_frame.cpp", 2},

@@ -4,8 +4,23 @@
 #include <algorithm>
 
 #include "displacements/lane_work.h"
+#include "moves/pricing_forms.h"
 
 namespace nodal::elastic {
+
+namespace {
+
+FormCost costs(const PricingSizes& s) {
+  const double wide = s.passes_per_block();
+  FormCost cost;
+  cost.price = kListedPrice * wide;
+  cost.accept = kLaneCall + wide * (3.0 * s.path + 3.0 * s.blocks + kListedSpring * s.springs + 4.0 * s.nodes);
+  cost.begin = s.value() + wide * (s.lane_factoring + s.springs * (s.path + s.blocks + 4.0 * s.nodes));
+  cost.bytes = 8.0 * (2.0 * s.numbers * s.blocks + s.listed * s.springs);
+  return cost;
+}
+
+}  // namespace
 
 bool EagerForm::factorize(std::span<const double> stiffness) {
   ++factorizations_;
@@ -37,5 +52,14 @@ Work EagerForm::solver_work() const {
                                .solves = spring_solves_ + 2 * changes_,
                                .rank_one_updates = changes_});
 }
+
+const PricingFormDescription kEagerForm = {
+    .name = "eager",
+    .summary = "keeps a price list of all springs",
+    .listed = true,
+    .cost = costs,
+    .make = [](const ElasticModel& model, const LaneModel& lanes) -> std::unique_ptr<PricingForm> {
+      return std::make_unique<EagerForm>(model, lanes);
+    }};
 
 }  // namespace nodal::elastic

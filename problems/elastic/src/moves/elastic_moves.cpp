@@ -10,12 +10,6 @@
 
 #include <nodal/agreement.h>
 
-#include "moves/eager_form.h"
-#include "moves/full_form.h"
-#include "moves/lazy_form.h"
-#include "moves/refactor_form.h"
-#include "moves/updown_form.h"
-
 namespace nodal::elastic {
 
 namespace {
@@ -28,26 +22,12 @@ constexpr std::int64_t kFirstInterval = 1024, kLongestInterval = 65536, kShortes
 constexpr std::int64_t kReviewEvery = 64;
 constexpr std::size_t kMostChoices = 32;
 
-Form form_named(const std::string& name) {
-  for (std::size_t f = 0; f < kForms; ++f)
-    if (to_string(static_cast<Form>(f)) == name) return static_cast<Form>(f);
-  throw std::invalid_argument("no form of pricing is called '" + name + "'");
-}
+std::string_view name_of(std::size_t form) { return pricing_forms()[form]->name; }
 
-std::unique_ptr<PricingForm> make_form(Form form, const ElasticModel& model, const LaneModel& lanes) {
-  switch (form) {
-    case Form::eager:
-      return std::make_unique<EagerForm>(model, lanes);
-    case Form::lazy:
-      return std::make_unique<LazyForm>(model, lanes);
-    case Form::refactor:
-      return std::make_unique<RefactorForm>(model, lanes);
-    case Form::updown:
-      return std::make_unique<UpdownForm>(model, lanes);
-    case Form::full:
-      break;
-  }
-  return std::make_unique<FullForm>(model);
+std::size_t form_named(const std::string& name) {
+  const PricingFormDescription* form = find_named(pricing_forms(), name);
+  if (!form) throw std::invalid_argument("no form of pricing is called '" + name + "'");
+  return index_of(pricing_forms(), *form);
 }
 
 }  // namespace
@@ -61,6 +41,7 @@ ElasticMoves::ElasticMoves(const ElasticModel& model)
       lowest_(x_.size()),
       highest_(x_.size()),
       stiffness_(model.parameters.springs()),
+      regret_(pricing_forms().size()),
       interval_(kFirstInterval) {
   for (std::size_t i = 0; i < x_.size(); ++i) springs_.push_back(model.parameters.springs_of(i));
   if (const std::string& forced = model.scene.moves.form; forced != "auto")
@@ -71,14 +52,14 @@ ElasticMoves::ElasticMoves(const ElasticModel& model)
 
 ElasticMoves::~ElasticMoves() = default;
 
-void ElasticMoves::use(Form form, std::string reason) {
+void ElasticMoves::use(std::size_t form, std::string reason) {
   if (form_) past_ += form_->work();
   form_.reset();  // before the next one allocates
-  form_kind_ = form;
-  form_ = make_form(form, model_, lanes_);
-  regret_.fill(0.0);
+  kind_ = form;
+  form_ = pricing_forms()[form]->make(model_, lanes_);
+  std::ranges::fill(regret_, 0.0);
   if (report_.choices.size() < kMostChoices)
-    report_.choices.push_back({proposed_, std::string(to_string(form)), std::move(reason)});
+    report_.choices.push_back({proposed_, std::string(name_of(form)), std::move(reason)});
   else
     ++report_.more_choices;
 }
@@ -87,8 +68,8 @@ void ElasticMoves::use(Form form, std::string reason) {
 void ElasticMoves::begin_form() {
   forget_loss();
   if (form_->reset(stiffness_, fresh_)) return;
-  use(Form::full, fmt::format("{} can't vouch for this point: its arithmetic and a full evaluation disagree",
-                              to_string(form_kind_)));
+  use(full_,
+      fmt::format("{} can't vouch for this point: its arithmetic and a full evaluation disagree", name_of(kind_)));
   (void)form_->reset(stiffness_, fresh_);
 }
 
@@ -212,7 +193,7 @@ void ElasticMoves::check_drift() {
   const std::int64_t steps = std::max<std::int64_t>(since_check_, 1);
   ++report_.checks;
   if (solve_fresh() != Status::ok) {  // the point was priced, but can't be solved for: only full evaluations are safe
-    if (form_kind_ != Form::full) use(Form::full, "the walk's point can't be solved for in full");
+    if (kind_ != full_) use(full_, "the walk's point can't be solved for in full");
     return;
   }
   const double relative = note_drift(ours);
@@ -239,17 +220,16 @@ void ElasticMoves::review() {
   reviewed_proposed_ = proposed_;
   reviewed_accepted_ = accepted_;
   if (model_.scene.moves.form != "auto") return;
-  const auto step_cost = [&](Form form) {
+  const auto step_cost = [&](std::size_t form) {
     return proposals * costs_.of(form).price + accepted * costs_.of(form).accept;
   };
-  for (std::size_t f = 0; f < kForms; ++f) {
-    const Form other = static_cast<Form>(f);
-    if (other == form_kind_ || !costs_.of(other).excluded.empty()) continue;
-    regret_[f] = std::max(0.0, regret_[f] + step_cost(form_kind_) - step_cost(other));
-    if (regret_[f] <= costs_.of(other).begin) continue;
-    const std::string reason = fmt::format(
-        "{:.0f} % of the last {:.0f} proposals accepted: a step costs about {:.2g} times as much by {}",
-        100.0 * accepted / proposals, proposals, step_cost(form_kind_) / step_cost(other), to_string(form_kind_));
+  for (std::size_t other = 0; other < regret_.size(); ++other) {
+    if (other == kind_ || !costs_.of(other).excluded.empty()) continue;
+    regret_[other] = std::max(0.0, regret_[other] + step_cost(kind_) - step_cost(other));
+    if (regret_[other] <= costs_.of(other).begin) continue;
+    const std::string reason =
+        fmt::format("{:.0f} % of the last {:.0f} proposals accepted: a step costs about {:.2g} times as much by {}",
+                    100.0 * accepted / proposals, proposals, step_cost(kind_) / step_cost(other), name_of(kind_));
     if (solve_fresh() != Status::ok) return;
     use(other, reason);
     begin_form();

@@ -20,7 +20,6 @@
 /// Cost     propose: the form's price, an exponential, two indirect calls. No allocation after a form's first calls.
 /// Threads  one per thread.
 
-#include <array>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -48,7 +47,7 @@ class ElasticMoves final : public Moves {
 
  private:
   Status solve_fresh();
-  void use(Form form, std::string reason);
+  void use(std::size_t form, std::string reason);
   void begin_form();
   Status accept_afresh(double before);
   void review();
@@ -61,8 +60,10 @@ class ElasticMoves final : public Moves {
   const LaneModel& lanes_;
   const CostModel costs_;
   FullEvaluation fresh_;
+  // Forms are told by their line in pricing_forms(); `full_` is that of the one that needs no trust.
+  const std::size_t full_ = index_of(pricing_forms(), kFullForm);
+  std::size_t kind_ = full_;
   std::unique_ptr<PricingForm> form_;
-  Form form_kind_ = Form::full;
   Work past_;  // of forms that were left
 
   std::vector<std::span<const std::size_t>> springs_;  // by coordinate, at hand for the hot path
@@ -76,7 +77,7 @@ class ElasticMoves final : public Moves {
   bool acceptable_ = false;
 
   // Renting or buying: how much more than each other form the present one has cost.
-  std::array<double, kForms> regret_{};
+  std::vector<double> regret_;                                  // [forms]
   std::int64_t proposed_ = 0, accepted_ = 0;                    // in all
   std::int64_t reviewed_proposed_ = 0, reviewed_accepted_ = 0;  // … at the last review
   std::int64_t until_review_ = 0;

@@ -4,8 +4,24 @@
 #include <algorithm>
 
 #include "displacements/lane_work.h"
+#include "moves/pricing_forms.h"
 
 namespace nodal::elastic {
+
+namespace {
+
+FormCost costs(const PricingSizes& s) {
+  const double wide = s.passes_per_block();
+  FormCost cost;
+  cost.price = kLaneCall + wide * (s.members * (s.path + s.blocks + 2.0 * s.nodes) +
+                                   0.5 * s.members * (s.members - 1.0) * s.nodes + 3.0 * s.nodes);
+  cost.accept = wide * s.members * (2.0 * s.path + s.nodes);
+  cost.begin = s.value() + wide * s.lane_factoring;
+  cost.bytes = 8.0 * s.numbers * (2.0 * s.blocks + s.nodes * (4.0 + s.members));
+  return cost;
+}
+
+}  // namespace
 
 LazyForm::LazyForm(const ElasticModel& model, const LaneModel& lanes)
     : model_(model), systems_(make_systems(model, lanes)) {
@@ -67,5 +83,13 @@ Work LazyForm::work() const {
                               .solves = solves_,
                               .rank_one_updates = changes_});
 }
+
+const PricingFormDescription kLazyForm = {
+    .name = "lazy",
+    .summary = "solves for each proposal",
+    .cost = costs,
+    .make = [](const ElasticModel& model, const LaneModel& lanes) -> std::unique_ptr<PricingForm> {
+      return std::make_unique<LazyForm>(model, lanes);
+    }};
 
 }  // namespace nodal::elastic

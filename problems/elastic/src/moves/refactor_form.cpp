@@ -4,8 +4,21 @@
 #include <algorithm>
 
 #include "displacements/lane_work.h"
+#include "moves/pricing_forms.h"
 
 namespace nodal::elastic {
+
+namespace {
+
+FormCost costs(const PricingSizes& s) {
+  FormCost cost;
+  cost.price = kLaneCall + s.passes_per_block() * (s.lane_factoring + 2.0 * s.blocks + 3.0 * s.nodes);
+  cost.begin = s.value();
+  cost.bytes = 8.0 * s.numbers * (2.0 * s.blocks + 4.0 * s.nodes);
+  return cost;
+}
+
+}  // namespace
 
 RefactorForm::RefactorForm(const ElasticModel& model, const LaneModel& lanes)
     : model_(model),
@@ -59,5 +72,13 @@ Work RefactorForm::work() const {
   if (full_) total += full_->work();
   return total;
 }
+
+const PricingFormDescription kRefactorForm = {
+    .name = "refactor",
+    .summary = "factors for each (all three for all support groups at once)",
+    .cost = costs,
+    .make = [](const ElasticModel& model, const LaneModel& lanes) -> std::unique_ptr<PricingForm> {
+      return std::make_unique<RefactorForm>(model, lanes);
+    }};
 
 }  // namespace nodal::elastic

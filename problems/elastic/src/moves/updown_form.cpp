@@ -6,6 +6,8 @@
 #include <span>
 #include <utility>
 
+#include "moves/pricing_forms.h"
+
 namespace nodal::elastic {
 
 namespace {
@@ -33,6 +35,16 @@ SparseColumn column_of(const EquilibriumGroup& group, const Spring& spring) {
     column.values[column.size++] = value;
   }
   return column;
+}
+
+FormCost costs(const PricingSizes& s) {
+  FormCost cost;
+  cost.price = kListedPrice * s.passes_per_block();
+  cost.accept = s.groups * (3.0 * s.kScalarCall + 2.0 * s.kScalarSolve * s.blocks + 4.0 * s.path) +
+                s.passes_per_block() * kListedSpring * s.springs;
+  cost.begin = s.value() + s.springs * s.groups * (s.kScalarCall + s.kScalarSolve * s.blocks);
+  cost.bytes = 8.0 * (4.0 * s.groups * s.blocks * 1.5 + s.listed * s.springs);
+  return cost;
 }
 
 }  // namespace
@@ -104,5 +116,14 @@ bool UpdownForm::change(std::size_t spring, double delta) {
 }
 
 Work UpdownForm::solver_work() const { return work_; }
+
+const PricingFormDescription kUpdownForm = {
+    .name = "updown",
+    .summary = "keeps the list by CHOLMOD's updates",
+    .listed = true,
+    .cost = costs,
+    .make = [](const ElasticModel& model, const LaneModel& lanes) -> std::unique_ptr<PricingForm> {
+      return std::make_unique<UpdownForm>(model, lanes);
+    }};
 
 }  // namespace nodal::elastic

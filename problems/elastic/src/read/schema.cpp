@@ -2,13 +2,16 @@
 #include <nodal/elastic/elastic_problem.h>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "import/table_options.h"
+#include "moves/pricing_forms.h"
 #include "read/body_options.h"
 #include "read/read_masses.h"
 #include "read/read_parameters.h"
 #include "read/read_points.h"
 #include "read/study_loads.h"
+#include "starts/start_rule.h"
 #include "starts/stiffness_bounds.h"
 
 namespace nodal::elastic {
@@ -42,10 +45,7 @@ OptionSchema material_fields() {
 
 OptionSchema initial_fields() {
   return {
-      {.name = "rule",
-       .type = OptionType::text,
-       .choices = {"paper", "area", "lattice", "energy"},
-       .help = "one of the rules"},
+      {.name = "rule", .type = OptionType::text, .choices = names_of(start_rules()), .help = "one of the rules"},
       {.name = "scale",
        .type = OptionType::text,
        .choices = {"best"},
@@ -80,10 +80,9 @@ OptionSchema springs_fields() {
        .type = OptionType::text,
        .default_text = "a file of springs' stiffnesses; else paper, off the paper's own plate (cells of 1 m × 1 m) "
                        "times its best factor",
-       .choices = {"paper", "area", "lattice", "energy"},
-       .help = "rule of the start: paper k = E t s0/4; area (Van Gelder); lattice, exact at ν = 1/3, in space 1/4; "
-               "energy, the minimiser "
-               "of a convex energy; or a table with 'rule' and 'scale', or with 'file'",
+       .choices = names_of(start_rules()),
+       .help = fmt::format("rule of the start: {}; or a table with 'rule' and 'scale', or with 'file'",
+                           fmt::join(summaries_of(start_rules()), "; ")),
        .fields = initial_fields(),
        .or_table = true},
       {.name = "bounds",
@@ -101,15 +100,18 @@ OptionSchema springs_fields() {
 }
 
 OptionSchema moves_fields() {
+  std::vector<std::string> forms = {"auto"}, told;
+  for (const PricingFormDescription* form : pricing_forms()) {
+    forms.emplace_back(form->name);
+    told.push_back(fmt::format("{} {}", form->name, form->summary));
+  }
   return {
       {.name = "form",
        .type = OptionType::text,
        .default_value = "auto",
-       .choices = {"auto", "eager", "lazy", "refactor", "updown", "full"},
-       .help =
-           "auto chooses by size and by how much is accepted, and changes its mind; eager keeps a price list of all "
-           "springs, lazy solves for each proposal, refactor factors for each (all three for all support groups at "
-           "once), updown keeps the list by CHOLMOD's updates, full evaluates each proposal by CHOLMOD"},
+       .choices = std::move(forms),
+       .help = fmt::format("auto chooses by size and by how much is accepted, and changes its mind; {}",
+                           fmt::join(told, ", "))},
       {.name = "instructions",
        .type = OptionType::text,
        .default_value = "auto",

@@ -7,6 +7,7 @@
 #include <nodal/error.h>
 
 #include "springs/connections.h"
+#include "starts/start_rule.h"
 #include "starts/triangle_area.h"
 
 namespace nodal::elastic {
@@ -89,5 +90,10 @@ std::vector<double> area_stiffness(const Net& net, const Material& material) {
     k.push_back(material.young * net.body.thickness * areas[e] / (net.springs[e].length * net.springs[e].length));
   return k;
 }
+
+const StartRule kAreaRule = {
+    .name = "area", .summary = "area (Van Gelder)", .instead = "energy", .make = [](const Scene& scene) {
+      return area_stiffness(scene.net, scene.material);
+    }};
 
 }  // namespace nodal::elastic

@@ -9,6 +9,7 @@
 #include <nodal/error.h>
 
 #include "displacements/elastic_model.h"
+#include "starts/start_rule.h"
 
 namespace nodal::elastic {
 
@@ -248,5 +249,11 @@ std::vector<double> energy_stiffness(const Scene& scene, const std::array<double
   Energy energy(scene);
   return ProjectedNewton(energy, bounds, std::move(start)).run();
 }
+
+const StartRule kEnergyRule = {
+    .name = "energy",
+    .summary = "energy, the minimiser of a convex energy",
+    .instead = "paper",
+    .make = [](const Scene& scene) { return energy_stiffness(scene, scene.stiffness_bounds); }};
 
 }  // namespace nodal::elastic

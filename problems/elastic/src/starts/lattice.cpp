@@ -10,6 +10,7 @@
 #include <nodal/error.h>
 
 #include "springs/connections.h"
+#include "starts/start_rule.h"
 #include "starts/triangle_area.h"
 
 namespace nodal::elastic {
@@ -117,5 +118,11 @@ std::vector<double> lattice_stiffness(const Net& net, const Material& material) 
   for (double& count : k) count *= of_a_cell * material.plane_young() * net.body.thickness;
   return k;
 }
+
+const StartRule kLatticeRule = {
+    .name = "lattice",
+    .summary = "lattice, exact at ν = 1/3, in space 1/4",
+    .instead = "area",
+    .make = [](const Scene& scene) { return lattice_stiffness(scene.net, scene.material); }};
 
 }  // namespace nodal::elastic

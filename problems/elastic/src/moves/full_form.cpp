@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "moves/full_form.h"
+
+#include "moves/pricing_forms.h"
+
+namespace nodal::elastic {
+
+namespace {
+
+FormCost costs(const PricingSizes& s) {
+  return {.price = s.value(), .bytes = 8.0 * 4.0 * s.groups * s.blocks * 1.5};
+}
+
+}  // namespace
+
+const PricingFormDescription kFullForm = {
+    .name = "full",
+    .summary = "evaluates each proposal by CHOLMOD",
+    .cost = costs,
+    .make = [](const ElasticModel& model, const LaneModel&) -> std::unique_ptr<PricingForm> {
+      return std::make_unique<FullForm>(model);
+    }};
+
+}  // namespace nodal::elastic

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "read/read_start.h"
+
+#include <nodal/elastic/stiffness.h>
+
+#include <cmath>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include <nodal/error.h>
+
+#include "starts/energy_start.h"
+#include "starts/start_rule.h"
+#include "starts/stiffness_bounds.h"
+
+namespace nodal::elastic {
+
+namespace {
+
+// A start of the user's own may be evaluated outside the bounds, but not fitted from there; a rule's is moved inside
+// (elastic_problem.cpp).
+void require_within_bounds(const std::vector<double>& k, const Source& source, Scene& scene) {
+  const auto [lower, upper] = scene.stiffness_bounds;
+  for (std::size_t e = 0; e < k.size() && scene.fit_refusal.empty(); ++e) {
+    if (within_bounds(std::log(k[e]), std::log(lower), std::log(upper))) continue;
+    const Spring& spring = scene.net.springs[e];
+    const InputError refusal(source, fmt::format("the start's spring ({}, {}) has stiffness {}, outside the bounds "
+                                                 "[{}, {}] ({}); change the file or springs = {{ bounds = … }}",
+                                                 scene.net.id(spring.first), scene.net.id(spring.second), k[e], lower,
+                                                 upper, scene.bounds_origin));
+    scene.fit_refusal = refusal.what();
+  }
+}
+
+std::vector<double> stiffness_by_rule(const std::string& name, const Source& source, const Scene& scene) {
+  const StartRule* rule = find_named(start_rules(), name);
+  if (!rule) throw std::invalid_argument("no starting rule is called '" + name + "'");  // the schema lets none through
+  const std::string advice =
+      rule->instead.empty() ? "" : fmt::format("take springs = {{ initial = \"{}\" }}", rule->instead);
+  return at(source, [&] { return rule->make(scene); }, advice);
+}
+
+std::string scaled_by(double factor) { return fmt::format(", scaled by its best single factor {:.6g}", factor); }
+
+void scale_best(const Source& source, Scene& scene) {
+  try {
+    const double factor = best_scale(scene, scene.initial_stiffness);
+    scene.initial_rule += scaled_by(factor);
+    for (double& k : scene.initial_stiffness) k *= factor;
+  } catch (const Refusal& refusal) {
+    throw InputError(source, fmt::format("'scale' can't be \"best\": {}", refusal.what()));
+  }
+}
+
+// Cells of one metre: where k = E t L/4, off by a length everywhere else, is what the paper starts from.
+bool is_the_papers_plate(const Net& net) {
+  const auto one = [](double length) { return std::abs(length - 1.0) <= kPlaceRounding; };
+  return net.dimension == 2 && net.grid.columns > 0 && one(net.grid.cell[0]) && one(net.grid.cell[1]);
+}
+
+// What a file of springs says; else the paper's rule, on its own plate as it is, elsewhere times its best factor. A net
+// without such a factor starts all the same, and it is said.
+void read_default_start(const Options& springs, const std::vector<double>& of_file, BestPaperStart& paper,
+                        Scene& scene) {
+  if (!of_file.empty()) {
+    scene.initial_rule = "as the file of springs says";
+    scene.initial_stiffness = of_file;
+    require_within_bounds(of_file, springs.at("file").source, scene);
+    return;
+  }
+  if (springs.has("file") && !scene.has_reference)
+    throw InputError(springs.at("file").source,
+                     "the springs have no stiffness, and there is no reference to find it by; give the file a column "
+                     "'stiffness', or springs = { initial = { file = \"stiffness.json\" } }");
+  scene.initial_rule = kPaperRule.name;
+  if (is_the_papers_plate(scene.net) && !springs.has("file")) {
+    scene.initial_stiffness = kPaperRule.make(scene);
+    return;
+  }
+  scene.initial_stiffness = paper.of(scene).stiffness;
+  const std::string& why = paper.of(scene).unscaled;
+  scene.initial_rule += why.empty() ? scaled_by(paper.of(scene).factor) : ", unscaled";
+  if (!why.empty()) scene.findings.push_back("the start has no best scale: " + why);
+}
+
+// Stiffnesses of a file, where springs are tied that it has different ones for.
+void tell_of_ties(Scene& scene) {
+  constexpr double kEqual = 1e-9;  // as files that are written with ten digits have them
+  const Parameters parameters(scene.net, scene.parameter_rule);
+  std::vector<double> tied = scene.initial_stiffness;
+  parameters.average(tied);
+  std::size_t changed = 0;
+  for (std::size_t e = 0; e < tied.size(); ++e)
+    if (std::abs(tied[e] - scene.initial_stiffness[e]) > kEqual * tied[e]) ++changed;
+  if (changed > 0)
+    scene.findings.push_back(
+        fmt::format("{} of {} springs start with another stiffness than the file gives them: tied springs have the "
+                    "geometric mean of their group",
+                    changed, tied.size()));
+}
+
+void read_given_start(const Options& springs, const ProblemContext& context, Scene& scene) {
+  const Value& initial = springs.at("initial");
+  if (initial.is_text()) {
+    scene.initial_rule = initial.text();
+    scene.initial_stiffness = stiffness_by_rule(initial.text(), initial.source, scene);
+    return;
+  }
+  const Options table(initial);
+  if (table.has("file") == table.has("rule"))
+    throw InputError(initial.source, "'initial' as a table must have either 'file' or 'rule'");
+  if (table.has("file")) {
+    if (table.has("scale")) throw InputError(initial.source, "'scale' belongs to a rule; a file is taken as it is");
+    scene.initial_rule = "file " + table.text("file");
+    scene.initial_stiffness = read_stiffness_file(context.files, context.files.path(table.text("file")), scene.net);
+    require_within_bounds(scene.initial_stiffness, initial.source, scene);
+    return;
+  }
+  scene.initial_rule = table.text("rule");
+  scene.initial_stiffness = stiffness_by_rule(table.text("rule"), initial.source, scene);
+  if (table.has("scale")) scale_best(table.at("scale").source, scene);
+}
+
+}  // namespace
+
+void read_start(const Options& springs, const ProblemContext& context, const StudyNet& study, BestPaperStart& paper,
+                Scene& scene) {
+  const bool given = springs.has("initial");
+  if (given)
+    read_given_start(springs, context, scene);
+  else
+    read_default_start(springs, study.stiffness, paper, scene);
+  const bool of_file =
+      given ? springs.at("initial").is_table() && springs.at("initial").find("file") : !study.stiffness.empty();
+  if (of_file) tell_of_ties(scene);
+}
+
+}  // namespace nodal::elastic
