@@ -65,6 +65,7 @@ const std::vector<Set>& sets() {
       {"bracket",
        2000,
        {"annealing", "annealing-adaptive", "gauss-newton", "nlopt-lbfgs", "ceres-levenberg-marquardt"}},
+      {"block", 100, {"annealing", "annealing-adaptive", "gauss-newton", "nlopt-lbfgs", "nlopt-ccsaq"}},
       {"paper/fig02", 1000, {"annealing", "gauss-newton"}},
       {"paper/fig12", 2000, {"annealing, 100 temperatures", "ceres-levenberg-marquardt"}},
   };

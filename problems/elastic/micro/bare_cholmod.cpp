@@ -17,8 +17,9 @@ namespace {
 cholmod_sparse* assembled(const elastic::EquilibriumGroup& group, const elastic::Scene& scene,
                           std::span<const double> stiffness, cholmod_common* common) {
   const bool lower = group.pattern().supernodal();
-  cholmod_triplet* terms =
-      cholmod_allocate_triplet(group.free(), group.free(), 10 * stiffness.size(), lower ? -1 : 1, CHOLMOD_REAL, common);
+  const std::size_t dimension = scene.net.dimension, ends = 2 * dimension;
+  cholmod_triplet* terms = cholmod_allocate_triplet(
+      group.free(), group.free(), ends * (ends + 1) / 2 * stiffness.size(), lower ? -1 : 1, CHOLMOD_REAL, common);
   const auto add = [&](std::size_t a, std::size_t b, double value) {
     if (a >= group.free() || b >= group.free() || value == 0.0) return;
     static_cast<int*>(terms->i)[terms->nnz] = static_cast<int>(lower ? std::max(a, b) : std::min(a, b));
@@ -27,11 +28,16 @@ cholmod_sparse* assembled(const elastic::EquilibriumGroup& group, const elastic:
   };
   for (std::size_t s = 0; s < stiffness.size(); ++s) {
     const elastic::Spring& spring = scene.net.springs[s];
-    const std::size_t place[4] = {group.place()[2 * spring.first], group.place()[2 * spring.first + 1],
-                                  group.place()[2 * spring.second], group.place()[2 * spring.second + 1]};
-    const double b[4] = {-spring.direction[0], -spring.direction[1], spring.direction[0], spring.direction[1]};
-    for (int p = 0; p < 4; ++p)
-      for (int q = p; q < 4; ++q) add(place[p], place[q], stiffness[s] * b[p] * b[q]);
+    std::array<std::size_t, 6> place{};
+    std::array<double, 6> b{};
+    for (std::size_t axis = 0; axis < dimension; ++axis) {
+      place[axis] = group.place()[scene.net.freedoms().at(spring.first, axis)];
+      place[dimension + axis] = group.place()[scene.net.freedoms().at(spring.second, axis)];
+      b[axis] = -spring.direction[axis];
+      b[dimension + axis] = spring.direction[axis];
+    }
+    for (std::size_t p = 0; p < ends; ++p)
+      for (std::size_t q = p; q < ends; ++q) add(place[p], place[q], stiffness[s] * b[p] * b[q]);
   }
   cholmod_sparse* matrix = cholmod_triplet_to_sparse(terms, 0, common);
   cholmod_sort(matrix, common);

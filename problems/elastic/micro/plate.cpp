@@ -34,6 +34,17 @@ std::shared_ptr<const elastic::ElasticProblem> make_plate(std::size_t nodes, con
       parse_study(text, "plate.toml", components()).problems.at(0).problem);
 }
 
+std::shared_ptr<const elastic::ElasticProblem> make_block(std::size_t nodes) {
+  const auto side = static_cast<std::size_t>(std::lround(std::cbrt(static_cast<double>(nodes))));
+  if (side * side * side != nodes) throw std::invalid_argument("make_block: the number of nodes must be a cube");
+  const std::string text = fmt::format(
+      "[study]\nname = \"block\"\n[problem]\nkind = \"elastic\"\nbody = {{ size = [{0}, {0}, {0}] }}\n"
+      "points = {{ counts = [{1}, {1}, {1}] }}\nsprings = {{ initial = \"paper\" }}\n",
+      side - 1, side);
+  return std::dynamic_pointer_cast<const elastic::ElasticProblem>(
+      parse_study(text, "block.toml", components()).problems.at(0).problem);
+}
+
 std::vector<std::vector<double>> make_points(const Space& space, std::size_t count) {
   RandomStream random(1);
   std::vector<std::vector<double>> points;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-/// What the benchmarks share: plates of the default study and points to evaluate.
+/// What the benchmarks share: plates of the default study, blocks and points to evaluate.
 
 #include <cstddef>
 #include <memory>
@@ -20,6 +20,9 @@ namespace nodal::micro {
 /// `options`: further lines of its problem table.
 [[nodiscard]] std::shared_ptr<const elastic::ElasticProblem> make_plate(std::size_t nodes,
                                                                         const std::string& options = "");
+
+/// A cube of `nodes` = n³ nodes, crossed, in unit cells, every spring its own coordinate.
+[[nodiscard]] std::shared_ptr<const elastic::ElasticProblem> make_block(std::size_t nodes);
 
 /// Points around the start, each coordinate moved by up to ±20 %: no two calls in a row see the same one.
 [[nodiscard]] std::vector<std::vector<double>> make_points(const Space& space, std::size_t count);

@@ -152,7 +152,7 @@ OptionSchema elastic_schema() {
               .choices = {"auto", "lanes", "simplicial", "supernodal"},
               .help = "what races see: lanes factors all support groups at once in vector registers, simplicial and "
                       "supernodal "
-                      "are CHOLMOD's, one group at a time; auto takes the lanes where supports rest. What is reported "
+                      "are CHOLMOD's, one group at a time; auto takes the lanes. What is reported "
                       "always comes from CHOLMOD"}}),
       table("moves", "how single changes are priced, as annealing makes them", moves_fields()),
   };
