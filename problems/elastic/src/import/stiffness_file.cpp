@@ -27,7 +27,8 @@ double stiffness_of(const SpringEntry& entry, const std::string& name) {
 }
 
 // A system with fewer springs than the study's net, as --prune leaves it, is a net of its own.
-std::string whole_system_advice(const std::filesystem::path& path) {
+std::string whole_system_advice(const Net& net, const std::filesystem::path& path) {
+  if (net.dimension == 3) return "; a system of its own, as after --prune, is read in the plane only";
   const std::string name = shown(path.filename().string());
   return fmt::format(
       "; a system of its own, as after --prune, is read by points = {{ file = \"{}\" }}, springs = {{ file = \"{}\" }}",
@@ -62,7 +63,7 @@ std::vector<double> read_stiffness_file(InputFiles& files, const std::filesystem
       throw InputError({path.string(), 0},
                        fmt::format("spring ({}, {}) is missing; every spring of the net must stand once{}",
                                    net.id(net.springs[e].first), net.id(net.springs[e].second),
-                                   file.has_nodes ? whole_system_advice(path) : ""));
+                                   file.has_nodes ? whole_system_advice(net, path) : ""));
   return stiffness;
 }
 

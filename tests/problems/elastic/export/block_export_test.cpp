@@ -49,7 +49,8 @@ TEST_F(BlockExport, OfAnotherBlockIsRefused) {
   const auto block = make_block({.topology = "single"});
   write("fitted.json", system_json(*block, block->start_stiffness()));
   EXPECT_PRED2(says, toy::message_of([&] { (void)from_file({}); }),
-               "is missing; every spring of the net must stand once");
+               "is missing; every spring of the net must stand once; a system of its own, as after --prune, is read in "
+               "the plane only");
 }
 
 }  // namespace

@@ -9,6 +9,13 @@
 
 namespace nodal::elastic {
 
+namespace {
+
+// Forces are stress times area, stiffnesses volume over length squared: beyond these some would be 0 or infinite.
+constexpr double kLeastSide = 1e-100, kLargestSide = 1e100;
+
+}  // namespace
+
 Body box_body(const Vector& corner, const Vector& size) {
   Extent box{corner, corner};
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -16,6 +23,9 @@ Body box_body(const Vector& corner, const Vector& size) {
     if (!(size[axis] > 0.0) || !std::isfinite(box.low[axis]) || !std::isfinite(box.high[axis]))
       throw Refusal(
           fmt::format("a box needs finite, positive sizes; this one has {} along {}", size[axis], kAxisNames[axis]));
+    if (size[axis] < kLeastSide || size[axis] > kLargestSide)
+      throw Refusal(fmt::format("a box of {} along {} can't be computed with; its sides must be from {} to {} m",
+                                size[axis], kAxisNames[axis], kLeastSide, kLargestSide));
     if (!(box.along(axis) > 0.0))
       throw Refusal(fmt::format("a box of {} along {} is nothing beside its place {}", size[axis], kAxisNames[axis],
                                 corner[axis]));
