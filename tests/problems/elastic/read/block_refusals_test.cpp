@@ -91,6 +91,9 @@ INSTANTIATE_TEST_SUITE_P(
             "study.toml:5: entry 3 of 'size' of 'body' of problem 'elastic' must be finite, not inf"},
         Bad{"beyond_doubles", "body = { size = [2e-200, 2, 2] }\n",
             "study.toml:5: a box of 2e-200 along x can't be computed with; its sides must be from 1e-100 to 1e+100 m"},
+        Bad{"far_away", "body = { size = [2, 2, 2], corner = [1e15, 0, 0] }\n",
+            "study.toml:5: the box is so far from the origin, at (1000000000000000, 0, 0), that its coordinates are "
+            "rounded to 0.2; move it nearer to the origin"},
         Bad{"no_size", "body = { shape = \"box\" }\n",
             "study.toml:5: shape 'box' in 'body' needs 'size'; 'box' has 'size', 'corner'"},
         Bad{"size_of_a_rectangle", "body = { shape = \"box\", size = [2, 2] }\n",

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <nodal/elastic/body.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -30,6 +32,14 @@ Body box_body(const Vector& corner, const Vector& size) {
       throw Refusal(fmt::format("a box of {} along {} is nothing beside its place {}", size[axis], kAxisNames[axis],
                                 corner[axis]));
   }
+  double farthest = 0.0;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    farthest = std::max({farthest, std::abs(box.low[axis]), std::abs(box.high[axis])});
+  if (const double rounding = farthest * std::numeric_limits<double>::epsilon(); rounding > kPlaceRounding * box.size())
+    throw Refusal(
+        fmt::format("the box is so far from the origin, at ({}, {}, {}), that its coordinates are rounded to {:.1g}; "
+                    "move it nearer to the origin",
+                    corner[0], corner[1], corner[2], rounding));
   Body body;
   body.name = fmt::format("box {:g} × {:g} × {:g}", size[0], size[1], size[2]);
   body.box = box;
