@@ -9,7 +9,8 @@ namespace nodal::micro {
 
 namespace {
 
-void compare(benchmark::State& state, std::shared_ptr<const elastic::ElasticProblem> problem, std::size_t blocks = 401) {
+void compare(benchmark::State& state, std::shared_ptr<const elastic::ElasticProblem> problem,
+             std::size_t blocks = 401) {
   without_threads();
   const auto evaluator = problem->make_evaluator();
   const auto points = make_points(problem->space(), 64);
