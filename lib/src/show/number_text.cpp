@@ -20,7 +20,7 @@ int rounded_power(double value, int digits) {
 }
 
 // "1.20e-09" as "1.20e-9".
-std::string short_exponent(std::string text) {
+std::string short_exponent(const std::string& text) {
   const std::size_t e = text.find('e');
   return text.substr(0, e + 1) + std::to_string(std::stoi(text.substr(e + 1)));
 }
@@ -64,9 +64,9 @@ std::string seconds_text(double seconds) {
     double size;
     const char* name;
   };
-  constexpr std::array<Unit, 4> units = {{{1e-9, "ns"}, {1e-6, "µs"}, {1e-3, "ms"}, {1.0, "s"}}};
+  constexpr std::array<Unit, 4> kUnits = {{{1e-9, "ns"}, {1e-6, "µs"}, {1e-3, "ms"}, {1.0, "s"}}};
   if (seconds >= 600.0) return figure_text(seconds / 60.0, 3) + " min";
-  for (const Unit& unit : units)
+  for (const Unit& unit : kUnits)
     if (seconds < 999.5 * unit.size || unit.size == 1.0) {
       const double value = seconds / unit.size;
       // Below a nanosecond nothing is meant but "no time at all".
