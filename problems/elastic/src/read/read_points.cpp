@@ -83,9 +83,6 @@ std::vector<double> read_counts(const Options& points, std::size_t dimension) {
 
 // A grid of nodes in a box; no other layout fills one.
 StudyPoints read_block(const Options& points, const std::string& topology, const Body& body) {
-  const std::string layout = layout_of(points);
-  if (layout != "grid" || points.has("spacing") || points.has("cell"))
-    throw InputError(points.values().source, "a body in space takes a grid: points = { counts = [5, 5, 5] }");
   const std::vector<double> counts = read_counts(points, 3);
   const auto count = [&](std::size_t axis) { return static_cast<std::size_t>(counts[axis]); };
   return at(points.values().source, [&] {
@@ -306,6 +303,8 @@ StudyPoints read_points(const Options& problem, const ProblemContext& context, c
   if (body.box) {
     if (problem.table("springs").has("file"))
       throw InputError(problem.table("springs").at("file").source, "springs of a file are read in the plane only");
+    if (layout != "grid" || points.has("spacing") || points.has("cell"))
+      throw InputError(points.values().source, "a body in space takes a grid: points = { counts = [5, 5, 5] }");
     return read_block(points, read_topology(problem, 3), body);
   }
   if (!body.has_outline())
