@@ -14,7 +14,7 @@ namespace nodal::elastic {
 /// [bytes] of a problem and one evaluator, by n log n for each group of supports, as factors of plane nets grow.
 /// Measured on crossed grids of 10⁴ to 9·10⁴ nodes under 1 and 4 groups, within a quarter; of nets with fewer springs
 /// it is less. In space by n^(4/3): what grows then is the factor of blocks that are as thick as long. Measured on
-/// crossed cubes of 10³ to 8·10³ nodes under 1 and 6 groups, within an eighth.
+/// crossed cubes of 10³ to 8·10³ nodes under 1 and 6 groups, within a seventh.
 [[nodiscard]] double memory_need(std::size_t nodes, std::size_t groups, std::size_t dimension = 2);
 
 /// InputError at `source` when a net needs more than three quarters of `memory` bytes.

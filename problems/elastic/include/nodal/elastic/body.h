@@ -86,7 +86,9 @@ struct Moments {
 [[nodiscard]] Body ring_body(const Point& centre, double radius, double hole, std::size_t sides,
                              double thickness = 1.0);
 
-/// The upright box from `corner` on, in space. Refusal for sizes that are not positive, or anything that is not finite.
+/// The upright box from `corner` on, in space, metres. Refusal for sizes that are not positive, anything that is not
+/// finite, sides below 1e-100 m or above 1e100 m, and a box so far from the origin that its places are rounded by more
+/// than kPlaceRounding of its size.
 [[nodiscard]] Body box_body(const Vector& corner, const Vector& size);
 
 /// True inside the material or within the outline's tolerance of it. Cost     one pass over the sides; for many points
