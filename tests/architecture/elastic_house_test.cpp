@@ -38,7 +38,7 @@ const std::map<std::string, int> kTellDimensionsApart = {{"export/system_export.
                                                          {"read/memory_need.cpp", 1},
                                                          {"read/read_bounds.cpp", 1},
                                                          {"read/read_masses.cpp", 1},
-                                                         {"read/read_points.cpp", 4},
+                                                         {"points/grid_layout.cpp", 2},
                                                          {"read/require_rigid.cpp", 1},
                                                          {"read/scene.cpp", 3},
                                                          {"read/read_start.cpp", 1},

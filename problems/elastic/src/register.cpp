@@ -9,6 +9,7 @@
 #include "displacements/spread.h"
 #include "show/details.h"
 #include "show/drawing_cost.h"
+#include "springs/connection.h"
 #include "system/factor/cholesky.h"
 #include "triangulation/triangulation.h"
 
@@ -20,10 +21,12 @@ namespace {
 
 Listing topology_list() {
   Listing list{"topologies", {}};
-  for (const Topology& topology : topologies())
-    list.lines.push_back(fmt::format("{}: {}{}", topology.name,
-                                     topology.lacks.empty() ? topology.summary : "not here: it needs " + topology.lacks,
-                                     topology.mechanism ? " (a mechanism: refused)" : ""));
+  for (const Connection* connection : connections()) {
+    const std::string lacks = connection->lacking();
+    list.lines.push_back(fmt::format("{}: {}{}", connection->name,
+                                     lacks.empty() ? std::string(connection->summary) : "not here: it needs " + lacks,
+                                     connection->mechanism ? " (a mechanism: refused)" : ""));
+  }
   return list;
 }
 

@@ -144,8 +144,8 @@ PlacedPoints make_fitted_grid(const Outline& outline, const Point& spacing, Grid
 std::vector<std::array<std::size_t, 2>> join_grid(const Outline& outline, const GridPoints& grid,
                                                   const std::string& topology) {
   const bool triangular = topology == "triangular";
-  const bool known =
-      triangular || std::ranges::any_of(topologies(), [&](const Topology& t) { return t.name == topology; });
+  constexpr std::array<const char*, 4> kOfCells = {"grid", "single", "alternating", "crossed"};
+  const bool known = triangular || std::ranges::find(kOfCells, topology) != kOfCells.end();
   if (!known || triangular != (grid.cells == GridCells::triangular))
     throw Refusal(fmt::format("a grid of {} cells can't be joined by '{}'",
                               grid.cells == GridCells::triangular ? "triangular" : "rectangular", topology));

@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include "import/table_options.h"
+#include "points/layout.h"
 #include "read/read_points.h"
 
 namespace nodal::elastic {
@@ -35,14 +39,15 @@ Option count_option(const char* name, std::int64_t least, const char* otherwise,
 }  // namespace
 
 OptionSchema points_fields() {
+  std::vector<std::string> told = summaries_of(layouts());
+  const std::string last = std::move(told.back());
+  told.pop_back();
   return {
       {.name = "layout",
        .type = OptionType::text,
        .default_text = "file where one is given, else grid",
-       .choices = {"grid", "triangular", "random", "voronoi", "file"},
-       .help =
-           "how nodes are placed: a grid of square or rectangular cells, one of equilateral triangles, at random, at "
-           "random and then spread by iterated Voronoi regions (needs CGAL), or as a file says"},
+       .choices = names_of(layouts()),
+       .help = fmt::format("how nodes are placed: {}, or {}", fmt::join(told, ", "), last)},
       {.name = "counts",
        .type = OptionType::integer_list,
        .default_text = "[5, 5]; in space [5, 5, 5]",

@@ -1,69 +1,85 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "read/read_net.h"
 
-#include <algorithm>
-#include <optional>
-
 #include <fmt/format.h>
 
 #include <nodal/error.h>
+#include <nodal/shown.h>
 
-#include "geometry/plane/voronoi_cells.h"
 #include "import/system_files.h"
-#include "read/exclusive_keys.h"
 #include "read/read_points.h"
-#include "springs/connections.h"
-#include "triangulation/triangulation.h"
+#include "springs/connection.h"
+#include "tables/exclusive_keys.h"
 
 namespace nodal::elastic {
 
 namespace {
 
-constexpr std::int64_t kDefaultNearest = 6;
-
-void join(const std::vector<NodePair>& pairs, Net& net) {
-  for (const auto& [i, j] : pairs) net.springs.push_back(make_spring(net.nodes, i, j));
+// What joins the nodes of a layout where the study doesn't say.
+const Connection& connection_of(const Layout& layout, const Options& springs) {
+  const Connection& suits = *find_named(connections(), layout.connection);
+  if (const std::string lacks = suits.lacking(); !lacks.empty())
+    throw InputError(springs.values().source,
+                     fmt::format("topology '{}', which suits these points, needs {}; springs = {{ topology = "
+                                 "\"{}\" }} doesn't",
+                                 suits.name, lacks, kNearestConnection.name));
+  return suits;
 }
 
-void triangulate(Net& net) {
-  net.triangles = net.body.has_outline() ? constrained_triangles(in_plane(net.nodes), net.outlines)
-                                         : delaunay_triangles(in_plane(net.nodes));
-  const std::size_t slivers = drop_slivers(in_plane(net.nodes), net.triangles, kLeastTriangleHeight);
-  if (slivers > 0)
-    net.remarks.push_back(
-        fmt::format("{} sliver{} on the border, flatter than 1 : {}, {} left out: nodes there lie "
-                    "nearly on a line",
-                    slivers, slivers == 1 ? "" : "s", 1.0 / kLeastTriangleHeight, slivers == 1 ? "is" : "are"));
+const Connection& read_connection(const Options& springs, const Layout& layout, bool in_space) {
+  if (!springs.has("topology")) return connection_of(layout, springs);
+  const std::string& topology = springs.text("topology");
+  const Source& source = springs.at("topology").source;
+  const Connection* connection = find_named(connections(), topology);
+  if (!connection)
+    throw InputError(
+        source, fmt::format("unknown topology '{}'{}", shown(topology), name_hint(topology, names_of(connections()))));
+  if (connection->mechanism)
+    throw InputError(source, fmt::format("topology '{}' is a mechanism: without diagonals its cells shear without "
+                                         "resistance; take springs = {{ topology = \"crossed\" }}, or \"single\" or "
+                                         "\"alternating\"",
+                                         topology));
+  if (in_space ? !connection->in_space : !connection->in_plane)
+    throw InputError(source, fmt::format("topology '{}' is none {}; take springs = {{ topology = \"crossed\" }}",
+                                         topology, in_space ? "in space" : "in the plane"));
+  if (const std::string lacks = connection->lacking(); !lacks.empty())
+    throw InputError(source, fmt::format("topology '{}' needs {}", topology, lacks));
+  if (!connection->layout.empty() && connection->layout != layout.name)
+    throw InputError(
+        source, fmt::format("topology '{}' doesn't join points of layout '{}'; take springs = {{ topology = \"{}\" }}",
+                            topology, layout.name, layout.connection));
+  return *connection;
 }
 
-std::vector<NodePair> touching_regions(const Net& net) {
-  const Outline outline(net.body);
-  VoronoiCells cells(outline, {});
-  cells.compute(in_plane(net.nodes));
-  std::vector<NodePair> pairs = cells.neighbour_pairs();
-  std::ranges::sort(pairs);
-  return pairs;
+LaidNodes lay_nodes(const Options& problem, const ProblemContext& context, const Body& body, const Layout& layout,
+                    bool neighbours_only) {
+  return at(problem.table("points").values().source, [&] {
+    return layout.make({.problem = problem, .context = context, .body = body, .neighbours_only = neighbours_only});
+  });
 }
 
-void join_by(const std::string& topology, const Options& springs, Net& net) {
-  net.topology = topology;
-  if (topology == "nearest") {
-    const std::int64_t count = springs.has("nearest") ? springs.integer("nearest") : kDefaultNearest;
-    std::optional<Outline> outline;
-    if (net.body.has_outline()) outline.emplace(net.body);
-    net.topology = fmt::format("nearest {}", count);
-    join(nearest_pairs(outline ? &*outline : nullptr, in_plane(net.nodes), static_cast<std::size_t>(count)), net);
-    return;
+void join(const Connection& connection, const Options& problem, LaidNodes& nodes) {
+  const Options springs = problem.table("springs");
+  if (!connection.layout.empty())
+    return at(problem.table("points").values().source, [&] { connection.make(springs, nodes); });
+  nodes.net.grid = {};  // joined otherwise it is none
+  try {
+    connection.make(springs, nodes);
+  } catch (const Refusal& refusal) {
+    const Source& source = springs.has("topology") ? springs.at("topology").source : springs.values().source;
+    throw InputError(source, fmt::format("topology '{}': {}", connection.name, refusal.what()));
   }
-  if (topology == "voronoi-neighbours") {
-    if (!net.body.has_outline())
-      throw Refusal("Voronoi regions need a body with an outline; take springs = { topology = \"delaunay\" }");
-    join(touching_regions(net), net);
-    return;
-  }
-  triangulate(net);
-  join(side_pairs(net.triangles), net);
-  if (topology == "delaunay-flip") join(flip_pairs(in_plane(net.nodes), net.triangles), net);
+}
+
+StudyNet read_own_springs(const Options& problem, const ProblemContext& context, Net net) {
+  const Options springs = problem.table("springs");
+  TableOptions options = read_table_options(springs);
+  options.scale = read_table_options(problem.table("points")).scale;  // lengths are in the nodes' unit
+  SpringFile file = read_spring_file(context.files, context.files.path(springs.text("file")), net, options);
+  net.topology = fmt::format("from {}", springs.text("file"));
+  net.grid = {};
+  net.springs = std::move(file.springs);
+  return {std::move(net), std::move(file.stiffness), std::move(file.groups), file.bounds};
 }
 
 }  // namespace
@@ -72,43 +88,22 @@ StudyNet read_net(const Options& problem, const ProblemContext& context, const B
   const Options springs = problem.table("springs");
   refuse_both(springs, "file", "topology");
   refuse_both(springs, "file", "nearest");
-  StudyPoints points = read_points(problem, context, body);
-  StudyNet read{std::move(points.net), {}, {}};
-  Net& net = read.net;
-  if (springs.has("columns") && !springs.has("file"))
-    throw InputError(springs.at("columns").source, "'columns' belongs to a 'file' of springs");
+  const Layout& layout = read_layout(problem, body);
   if (springs.has("file")) {
-    TableOptions options = read_table_options(springs);
-    options.scale = read_table_options(problem.table("points")).scale;  // lengths are in the nodes' unit
-    SpringFile file = read_spring_file(context.files, context.files.path(springs.text("file")), net, options);
-    net.topology = fmt::format("from {}", springs.text("file"));
-    net.grid = {};
-    net.triangles.clear();
-    net.springs = std::move(file.springs);
-    read.stiffness = std::move(file.stiffness);
-    read.groups = std::move(file.groups);
-    read.bounds = file.bounds;
-    return read;
+    if (body.box) throw InputError(springs.at("file").source, "springs of a file are read in the plane only");
+    // They join the nodes that a grid has.
+    return read_own_springs(problem, context, lay_nodes(problem, context, body, layout, true).net);
   }
-  const std::string topology = read_topology(problem, net.dimension);
-  if (springs.has("nearest") && topology != "nearest")
-    throw InputError(springs.at("nearest").source,
-                     fmt::format("'nearest' belongs to topology 'nearest', and this one is '{}'", topology));
-  if (points.joined) return read;
-  if (is_grid_topology(topology)) {
-    net.topology = topology;
-    join(points.grid_pairs, net);
-    if (!net.springs.empty()) return read;
-    throw InputError(problem.table("points").values().source,
-                     "the grid is so coarse that the body holds no spring of it");
-  }
-  try {
-    join_by(topology, springs, net);
-  } catch (const Refusal& refusal) {
-    const Source& source = springs.has("topology") ? springs.at("topology").source : springs.values().source;
-    throw InputError(source, fmt::format("topology '{}': {}", topology, refusal.what()));
-  }
-  return read;
+  if (springs.has("columns"))
+    throw InputError(springs.at("columns").source, "'columns' belongs to a 'file' of springs");
+  const Connection& connection = read_connection(springs, layout, body.box.has_value());
+  if (springs.has("nearest") && &connection != &kNearestConnection)
+    throw InputError(springs.at("nearest").source, fmt::format("'nearest' belongs to topology 'nearest', and this one "
+                                                               "is '{}'",
+                                                               connection.name));
+  LaidNodes nodes = lay_nodes(problem, context, body, layout, !connection.layout.empty());
+  join(connection, problem, nodes);
+  return {std::move(nodes.net), {}, {}};
 }
 
 }  // namespace nodal::elastic

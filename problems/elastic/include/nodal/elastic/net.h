@@ -100,16 +100,6 @@ struct Net {
 /// corner. Cost     (nodes + sides) log sides.
 void find_border(Net& net);
 
-/// Names of the topologies that nodes can be joined by, with one line each; `grid` is listed as a mechanism.
-struct Topology {
-  std::string name;
-  std::string summary;
-  bool mechanism = false;
-  bool in_plane = true, in_space = false;
-  std::string lacks = {};  ///< what this build lacks for it and how to get it; empty when it is there
-};
-[[nodiscard]] const std::vector<Topology>& topologies();
-
 /// Connects a grid of nodes over a rectangle. "single": one diagonal per cell, all the same way; "alternating": one per
 /// cell, chequered; "crossed": both. Refusal for another name, fewer than 2×2 nodes, or a body that is no
 /// upright rectangle.

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Nodes in rows: so many over a rectangle or a box, or cells of a size clipped to any body.
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <nodal/error.h>
+
+#include "points/block_points.h"
+#include "points/counted_grid.h"
+#include "points/layout.h"
+#include "tables/exclusive_keys.h"
+
+namespace nodal::elastic {
+
+namespace {
+
+std::vector<std::size_t> read_counts(const Options& points, std::size_t dimension) {
+  const std::vector<double> counts =
+      points.has("counts") ? points.numbers("counts") : std::vector<double>(dimension, 5.0);
+  const Source& source = points.has("counts") ? points.at("counts").source : points.values().source;
+  if (counts.size() != dimension)
+    throw InputError(source, fmt::format("'counts' has {} entries; a body {} needs {}", counts.size(),
+                                         dimension == 3 ? "in space" : "in the plane", dimension));
+  double nodes = 1.0;
+  for (const double count : counts) {
+    nodes *= count;
+    if (count < 2)
+      throw InputError(source, fmt::format("'counts' is [{}]: a grid with one row or column has no {}; give at "
+                                           "least 2 nodes in each direction",
+                                           fmt::join(counts, ", "), dimension == 3 ? "volume" : "area"));
+  }
+  if (nodes > kMostNodes)
+    throw InputError(source, fmt::format("'counts' is [{}]: more than {} nodes", fmt::join(counts, ", "), kMostNodes));
+  return {counts.begin(), counts.end()};
+}
+
+LaidNodes read_block(const Options& points, const Body& body) {
+  if (points.has("spacing") || points.has("cell"))
+    throw Refusal("a body in space takes a grid: points = { counts = [5, 5, 5] }");
+  const std::vector<std::size_t> counts = read_counts(points, 3);
+  return {.net = place_block(body, {counts[0], counts[1], counts[2]})};
+}
+
+LaidNodes read_counted_grid(const Options& points, const Body& body) {
+  const std::vector<std::size_t> counts = read_counts(points, 2);
+  return at(
+      points.values().source, [&] { return LaidNodes{.net = place_counted_grid(body, counts[0], counts[1])}; },
+      "give points = { spacing = 0.5 }, and a grid with such cells, in metres, is clipped to the body");
+}
+
+// Exactly the grid's nodes for springs between neighbours; for others the outline gets nodes too.
+LaidNodes read_clipped_grid(const LayoutRequest& request, GridCells cells) {
+  const Options points = request.problem.table("points");
+  refuse_both(points, "spacing", "cell");
+  refuse_both(points, "counts", points.has("spacing") ? "spacing" : "cell");
+  Point cell{};
+  if (points.has("cell"))
+    cell = {points.numbers("cell")[0], points.numbers("cell")[1]};
+  else
+    cell = {points.number("spacing"), points.number("spacing")};
+  const Outline outline(request.body);
+  LaidNodes laid;
+  if (request.neighbours_only) {
+    GridPoints grid = make_exact_grid(outline, cell, cells);
+    laid = lay(request.body, grid.points.points);
+    laid.clipped = std::move(grid);
+  } else {
+    laid = lay(request.body, make_fitted_grid(outline, cell, cells).points);
+  }
+  const char* form = request.neighbours_only ? "clipped to the body" : "inside the body, and nodes along its outline";
+  laid.net.layout = fmt::format("{} nodes: a {} grid, {}", laid.net.nodes.size(),
+                                cells == GridCells::triangular ? fmt::format("triangular {} m", cell[0])
+                                                               : fmt::format("{} m × {} m", cell[0], cell[1]),
+                                form);
+  return laid;
+}
+
+LaidNodes make_grid(const LayoutRequest& request) {
+  const Options points = request.problem.table("points");
+  if (request.body.box) return read_block(points, request.body);
+  const bool clipped = points.has("spacing") || points.has("cell");
+  return clipped ? read_clipped_grid(request, GridCells::rectangular) : read_counted_grid(points, request.body);
+}
+
+LaidNodes make_triangular_grid(const LayoutRequest& request) {
+  if (!request.problem.table("points").has("spacing"))
+    throw Refusal("layout 'triangular' needs a spacing: points = { layout = \"triangular\", spacing = 0.5 }");
+  return read_clipped_grid(request, GridCells::triangular);
+}
+
+}  // namespace
+
+const Layout kGridLayout = {.name = "grid",
+                            .summary = "a grid of square or rectangular cells",
+                            .connection = "crossed",
+                            .keys = {"counts", "cell", "spacing"},
+                            .in_space = true,
+                            .make = make_grid};
+
+const Layout kTriangularLayout = {.name = "triangular",
+                                  .summary = "one of equilateral triangles",
+                                  .connection = "triangular",
+                                  .keys = {"spacing"},
+                                  .make = make_triangular_grid};
+
+}  // namespace nodal::elastic

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+/// The ways in which a study's nodes are placed. A layout is a constant in its own file, and a line of the list in
+/// layouts.cpp.
+
+#include <array>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include <nodal/elastic/net.h>
+#include <nodal/options.h>
+#include <nodal/registry.h>
+
+#include "points/grid_points.h"
+#include "tables/table.h"
+
+namespace nodal::elastic {
+
+/// More nodes are refused.
+inline constexpr double kMostNodes = 1e6;
+
+struct LayoutRequest {
+  const Options& problem;  ///< the study's tables, of which layouts read `points`
+  const ProblemContext& context;
+  const Body& body;
+  /// The springs join neighbours in a grid, and nothing else: a grid has no nodes of its outline's beside its own.
+  bool neighbours_only = false;
+};
+
+/// Nodes on a body, with their places on its border, not joined yet.
+struct LaidNodes {
+  Net net;
+  std::optional<GridPoints> clipped = {};  ///< the rows and columns of a grid clipped to the body, where it is exact
+};
+
+struct Layout {
+  std::string_view name;
+  std::string_view summary;              ///< as the option's help has it
+  std::string_view connection;           ///< that joins its nodes where a study doesn't say how
+  std::array<std::string_view, 8> keys;  ///< of `points` that it reads, and others don't; "" for none
+  bool in_space = false;                 ///< it fills boxes, too
+  bool without_outline = false;          ///< it needs no outline to place nodes in
+  /// InputError, or a Refusal of `points`.
+  LaidNodes (*make)(const LayoutRequest& request);
+};
+
+extern const Layout kGridLayout;        // grid_layout.cpp
+extern const Layout kTriangularLayout;  // grid_layout.cpp
+extern const Layout kRandomLayout;      // scattered_layout.cpp
+extern const Layout kVoronoiLayout;     // scattered_layout.cpp
+extern const Layout kFileLayout;        // import/file_layout.cpp
+
+/// All of them, as people are told of them.
+[[nodiscard]] Table<Layout> layouts();
+
+/// Nodes of the plane with their places on the body's outline.
+[[nodiscard]] LaidNodes lay(const Body& body, const std::vector<Point>& nodes);
+
+}  // namespace nodal::elastic

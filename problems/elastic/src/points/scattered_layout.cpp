@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Nodes at random, as they fall or spread by iterated Voronoi regions.
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include <nodal/error.h>
+#include <nodal/random.h>
+
+#include "points/iterated_voronoi.h"
+#include "points/layout.h"
+#include "points/random_points.h"
+#include "tables/exclusive_keys.h"
+#include "triangulation/triangulation.h"
+
+namespace nodal::elastic {
+
+namespace {
+
+Density read_density(const Options& points) {
+  std::vector<DensitySpot> spots;
+  if (points.has("density"))
+    for (const Options& spot : points.tables("density")) {
+      const std::vector<double> at = spot.numbers("at");
+      spots.push_back({{at[0], at[1]}, spot.number("radius"), spot.number("factor")});
+    }
+  return Density(std::move(spots));
+}
+
+std::size_t count_of(const Options& points, const char* key) { return static_cast<std::size_t>(points.integer(key)); }
+
+// The border of the least total of which that many are inner ones: as dense on the outline as inside. The more points,
+// the more are inner ones, so the total is bisected for: a needle takes thousands of points around few.
+std::size_t border_as_dense(const Outline& outline, std::size_t inner) {
+  std::size_t low = inner + least_border_points(outline);
+  std::size_t high = std::max(low, static_cast<std::size_t>(kMostNodes));
+  if (share_points(outline, high).inner < inner)
+    throw Refusal(fmt::format(
+        "{} inner nodes, and as dense on an outline as long as this one, are more than {} nodes; say how many with "
+        "'border'",
+        inner, kMostNodes));
+  while (low < high) {
+    const std::size_t middle = low + (high - low) / 2;
+    if (share_points(outline, middle).inner < inner)
+      low = middle + 1;
+    else
+      high = middle;
+  }
+  return low - inner;
+}
+
+RandomPointsOptions read_numbers(const Options& points, std::string_view layout, const Outline& outline) {
+  refuse_both(points, "total", "inner");
+  if (points.has("total")) {
+    refuse_both(points, "total", "border");
+    return share_points(outline, count_of(points, "total"));
+  }
+  if (!points.has("inner"))
+    throw InputError(points.values().source,
+                     fmt::format("layout '{0}' needs how many points: points = {{ layout = \"{0}\", total "
+                                 "= 100 }}, or 'inner' and if you like 'border'",
+                                 layout));
+  const std::size_t inner = count_of(points, "inner");
+  if (points.has("border")) return {.inner = inner, .border = count_of(points, "border")};
+  return {.inner = inner, .border = border_as_dense(outline, inner)};
+}
+
+// Where points fall, and how many in words.
+struct Scattered {
+  RandomPointsOptions options;
+  PlacedPoints placed;
+  std::string counted;
+};
+
+Scattered scatter(const Options& points, std::string_view layout, const Outline& outline) {
+  Scattered made;
+  made.options = read_numbers(points, layout, outline);
+  const bool at_random = points.has("border_spread") && points.text("border_spread") == "at-random";
+  made.options.spread = at_random ? BorderSpread::at_random : BorderSpread::evenly;
+  made.options.density = read_density(points);
+  const std::int64_t seed = points.has("seed") ? points.integer("seed") : 1;
+  RandomStream random(hash64(fmt::format("points {}", seed)));
+  made.placed = make_random_points(outline, made.options, random);
+  made.counted = fmt::format("{} inner and {} border nodes, random with seed {}", made.options.inner,
+                             made.placed.size() - made.options.inner, seed);
+  return made;
+}
+
+LaidNodes make_random(const LayoutRequest& request) {
+  const Outline outline(request.body);
+  const Scattered made = scatter(request.problem.table("points"), "random", outline);
+  LaidNodes laid = lay(request.body, made.placed.points);
+  laid.net.layout = made.counted;
+  return laid;
+}
+
+LaidNodes make_voronoi(const LayoutRequest& request) {
+  const Options points = request.problem.table("points");
+  if (!triangulation_available())
+    throw InputError(points.at("layout").source, fmt::format("layout 'voronoi' needs {}", triangulation_library()));
+  const Outline outline(request.body);
+  Scattered made = scatter(points, "voronoi", outline);
+  VoronoiOptions voronoi;
+  if (points.has("iterations")) voronoi.iterations = count_of(points, "iterations");
+  if (points.has("tolerance")) voronoi.tolerance = points.number("tolerance");
+  voronoi.density = made.options.density;
+  IteratedVoronoi result = iterate_voronoi(outline, std::move(made.placed), voronoi);
+  LaidNodes laid = lay(request.body, result.points.points);
+  laid.net.history = std::move(result.history);
+  laid.net.cells = std::move(result.cells);
+  laid.net.layout = fmt::format("{}, then {} iterations of Voronoi regions", made.counted, laid.net.history.size() - 1);
+  return laid;
+}
+
+}  // namespace
+
+const Layout kRandomLayout = {.name = "random",
+                              .summary = "at random",
+                              .connection = "delaunay",
+                              .keys = {"total", "inner", "border", "border_spread", "density", "seed"},
+                              .make = make_random};
+
+const Layout kVoronoiLayout = {
+    .name = "voronoi",
+    .summary = "at random and then spread by iterated Voronoi regions (needs CGAL)",
+    .connection = "delaunay",
+    .keys = {"total", "inner", "border", "border_spread", "density", "seed", "iterations", "tolerance"},
+    .make = make_voronoi};
+
+}  // namespace nodal::elastic

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Springs between neighbours in a grid.
+#include <fmt/format.h>
+
+#include <nodal/error.h>
+
+#include "springs/connection.h"
+#include "springs/grid_springs.h"
+
+namespace nodal::elastic {
+
+namespace {
+
+// Of a grid that is clipped to the body: only springs that lie in it.
+void join_clipped(std::string_view topology, LaidNodes& nodes) {
+  Net& net = nodes.net;
+  const GridPoints& grid = *nodes.clipped;
+  const Outline outline(net.body);
+  const auto springs = join_grid(outline, grid, std::string(topology));
+  if (springs.empty()) throw Refusal("the grid is so coarse that the body holds no spring of it");
+  for (const auto& [i, j] : springs) net.springs.push_back(make_spring(net.nodes, i, j));
+  if (grid.cells == GridCells::triangular) net.triangles = grid_triangles(outline, grid, springs);
+  net.topology = topology;
+}
+
+template <const Connection& connection>
+void join(const Options& /*springs*/, LaidNodes& nodes) {
+  if (nodes.net.body.box)
+    join_block(nodes.net, connection.name);
+  else if (nodes.clipped)
+    join_clipped(connection.name, nodes);
+  else
+    join_counted_grid(nodes.net, connection.name);
+}
+
+}  // namespace
+
+const Connection kSingleConnection = {
+    .name = "single",
+    .summary = "one diagonal in each cell and, in space, in each face, all from its lowest corner",
+    .in_space = true,
+    .layout = "grid",
+    .make = join<kSingleConnection>};
+
+const Connection kAlternatingConnection = {
+    .name = "alternating",
+    .summary = "one diagonal in each cell, in space in each face, in a chequered pattern",
+    .in_space = true,
+    .layout = "grid",
+    .make = join<kAlternatingConnection>};
+
+const Connection kCrossedConnection = {
+    .name = "crossed",
+    .summary = "all diagonals: both in each cell; in space both of each face and four through each cell",
+    .in_space = true,
+    .layout = "grid",
+    .make = join<kCrossedConnection>};
+
+const Connection kFacesConnection = {.name = "faces",
+                                     .summary = "in space: both diagonals of each face, and none through the cells",
+                                     .in_plane = false,
+                                     .in_space = true,
+                                     .layout = "grid",
+                                     .make = join<kFacesConnection>};
+
+const Connection kGridConnection = {.name = "grid",
+                                    .summary = "no diagonals: a mechanism, since its cells shear without resistance",
+                                    .in_space = true,
+                                    .layout = "grid",
+                                    .mechanism = true,
+                                    .make = join<kGridConnection>};
+
+const Connection kTriangularConnection = {.name = "triangular",
+                                          .summary = "the three directions of a triangular grid",
+                                          .layout = "triangular",
+                                          .make = join<kTriangularConnection>};
+
+}  // namespace nodal::elastic
