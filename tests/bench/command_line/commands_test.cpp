@@ -310,7 +310,7 @@ TEST(Explain, ListsStagesUsedAndLeftOutAndTheTrials) {
   const Output output = run(folder, {"explain", "quick.toml", "--trials"});
   EXPECT_EQ(output.exit, 0);
   EXPECT_TRUE(contains(output.out, "used     analytic reference")) << output.out;
-  EXPECT_TRUE(contains(output.out, "left out finite-element reference")) << output.out;
+  EXPECT_TRUE(contains(output.out, "left out measured reference")) << output.out;
   EXPECT_TRUE(contains(output.out, "4 trials; each ends after 300 evaluations")) << output.out;
   EXPECT_TRUE(contains(output.out, "elastic, random-search, 1")) << output.out;
   EXPECT_FALSE(std::filesystem::exists(folder.path() / "results"));

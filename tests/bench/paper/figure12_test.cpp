@@ -19,7 +19,7 @@ TEST(Figure12, IsASquareOf25InnerPointsWithALoadedBorder) {
     for (std::size_t i = 0; i < net.nodes.size(); ++i) inner += !net.on_border(i);
     EXPECT_EQ(inner, 25u);
     EXPECT_EQ(net.nodes.size(), 49u);
-    EXPECT_EQ(net.history.size(), static_cast<std::size_t>(iteration_counts()[p]) + 1);
+    EXPECT_EQ(problem.details().at("voronoi").list().size(), static_cast<std::size_t>(iteration_counts()[p]) + 1);
     for (const elastic::LoadCase& load : problem.scene().loads.loads)
       for (std::size_t i = 0; i < net.nodes.size(); ++i) {
         const bool loaded = load.forces[2 * i] != 0.0 || load.forces[2 * i + 1] != 0.0;

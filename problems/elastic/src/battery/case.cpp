@@ -177,7 +177,7 @@ Scene scene_of(const Reading& reading, const Registry& registry) {
     scene.initial_stiffness = problem.stiffness(problem.space().start());
   } else if (o.has("problem")) {
     InputFiles files(reading.directory);
-    scene = make_scene(o.table("problem"), {files, reading.source});
+    scene = make_scene(o.table("problem"), {files, reading.source}).scene;
   } else {
     scene = scene_by_hand(reading);
   }

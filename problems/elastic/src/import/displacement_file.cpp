@@ -91,8 +91,9 @@ void refuse_motion_in_space(const CsvRow& row) {
 
 }  // namespace
 
-std::vector<MeasuredLoad> read_displacement_file(InputFiles& files, const std::filesystem::path& path, Net& net,
-                                                 const std::vector<std::string>& loads, const TableOptions& options) {
+std::vector<MeasuredLoad> read_displacement_file(InputFiles& files, const std::filesystem::path& path, const Net& net,
+                                                 const std::vector<std::string>& loads, Account& account,
+                                                 const TableOptions& options) {
   const CsvTable table(files.read(path, "displacement file"), path.string(),
                        {{"load"}, {"node"}, {"x"}, {"y"}, {"z"}, {"ux", true}, {"uy", true}, {"uz"}, {"weight"}},
                        options.columns);
@@ -128,7 +129,7 @@ std::vector<MeasuredLoad> read_displacement_file(InputFiles& files, const std::f
                       "without comparing, leave 'reference' out",
                       shown(loads[l])));
   for (const std::string& remark : {table.left_out(), heights.left_out(path.string())})
-    if (!remark.empty()) net.remarks.push_back(remark);
+    if (!remark.empty()) account.remark(remark);
   return measured;
 }
 

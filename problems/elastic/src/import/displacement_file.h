@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include <nodal/elastic/account.h>
 #include <nodal/elastic/net.h>
 #include <nodal/input_files.h>
 
@@ -27,9 +28,9 @@ struct MeasuredLoad {
   std::vector<double> weights;       ///< [2 · nodes]; 0 where nothing is known
 };
 
-/// One entry per name, in their order. What of the table is left out is added to the net's remarks.
+/// One entry per name, in their order. What of the table is left out is a remark.
 [[nodiscard]] std::vector<MeasuredLoad> read_displacement_file(InputFiles& files, const std::filesystem::path& path,
-                                                               Net& net, const std::vector<std::string>& loads,
-                                                               const TableOptions& options = {});
+                                                               const Net& net, const std::vector<std::string>& loads,
+                                                               Account& account, const TableOptions& options = {});
 
 }  // namespace nodal::elastic

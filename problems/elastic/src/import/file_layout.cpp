@@ -17,7 +17,7 @@ LaidNodes read_nodes(const LayoutRequest& request) {
   LaidNodes laid;
   laid.net.body = request.body;
   InputFiles& files = request.context.files;
-  read_node_file(files, files.path(points.text("file")), laid.net, read_table_options(points));
+  read_node_file(files, files.path(points.text("file")), laid.net, request.account, read_table_options(points));
   if (!request.problem.table("body").has("on_outline"))
     laid.net.body.on_outline = on_outline_as_written(in_plane(laid.net.nodes), request.body);
   find_border(laid.net);

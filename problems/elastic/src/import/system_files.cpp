@@ -76,7 +76,8 @@ void require_rest_length(const SpringEntry& entry, const Spring& spring, double 
 
 }  // namespace
 
-void read_node_file(InputFiles& files, const std::filesystem::path& path, Net& net, const TableOptions& options) {
+void read_node_file(InputFiles& files, const std::filesystem::path& path, Net& net, Account& account,
+                    const TableOptions& options) {
   const Entries<NodeEntry> read = read_node_entries(files, path, options);
   const std::vector<NodeEntry>& entries = read.list;
   if (entries.size() < 2) throw InputError({path.string(), 0}, "a system needs at least 2 nodes");
@@ -98,13 +99,14 @@ void read_node_file(InputFiles& files, const std::filesystem::path& path, Net& n
   refuse_coincident(entries, extent_of(net.nodes).size() / options.scale,
                     [&](std::size_t i) { return std::to_string(net.id(i)); });
   net.masses = all_or_none(entries, &NodeEntry::mass, "mass", true);
-  net.layout = fmt::format("{} nodes from {}", net.nodes.size(), path.filename().string());
-  if (options.scale != 1.0) net.layout += fmt::format(", times {}", options.scale);
+  std::string told = fmt::format("{} nodes from {}", net.nodes.size(), path.filename().string());
+  if (options.scale != 1.0) told += fmt::format(", times {}", options.scale);
+  account.used("points", std::move(told));
   for (const std::string& remark : {read.left_out, heights.left_out(path.string())})
-    if (!remark.empty()) net.remarks.push_back(remark);
+    if (!remark.empty()) account.remark(remark);
 }
 
-SpringFile read_spring_file(InputFiles& files, const std::filesystem::path& path, Net& net,
+SpringFile read_spring_file(InputFiles& files, const std::filesystem::path& path, const Net& net, Account& account,
                             const TableOptions& options) {
   const Entries<SpringEntry> read = read_spring_entries(files, path, options);
   const std::vector<SpringEntry>& entries = read.list;
@@ -127,7 +129,7 @@ SpringFile read_spring_file(InputFiles& files, const std::filesystem::path& path
     if (!entry.group.empty()) file.groups.push_back(entry.group);
   }
   file.stiffness = all_or_none(entries, &SpringEntry::stiffness, "stiffness", false);
-  if (!read.left_out.empty()) net.remarks.push_back(read.left_out);
+  if (!read.left_out.empty()) account.remark(read.left_out);
   return file;
 }
 

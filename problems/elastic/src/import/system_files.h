@@ -17,6 +17,7 @@
 #include <string>
 #include <vector>
 
+#include <nodal/elastic/account.h>
 #include <nodal/elastic/net.h>
 #include <nodal/input_files.h>
 
@@ -24,9 +25,10 @@
 
 namespace nodal::elastic {
 
-/// Fills nodes, ids, masses, layout and remarks of a net. Refused: a node that stands twice by name or by place, a mass
+/// Fills nodes, ids and masses of a net. Refused: a node that stands twice by name or by place, a mass
 /// that is negative or given for some nodes only, several z.
-void read_node_file(InputFiles& files, const std::filesystem::path& path, Net& net, const TableOptions& options = {});
+void read_node_file(InputFiles& files, const std::filesystem::path& path, Net& net, Account& account,
+                    const TableOptions& options = {});
 
 struct SpringFile {
   std::vector<Spring> springs;
@@ -35,10 +37,10 @@ struct SpringFile {
   std::optional<std::array<double, 2>> bounds = {};  ///< N/m, where a system file says them
 };
 
-/// Columns that are left out are added to the net's remarks.
+/// Columns that are left out are remarks.
 /// Refused: a node that the net doesn't have, a spring from a node to itself, one that stands twice, a stiffness that
 /// is no positive number, a stiffness or group given for some springs only, a length that isn't the nodes' distance.
-[[nodiscard]] SpringFile read_spring_file(InputFiles& files, const std::filesystem::path& path, Net& net,
-                                          const TableOptions& options = {});
+[[nodiscard]] SpringFile read_spring_file(InputFiles& files, const std::filesystem::path& path, const Net& net,
+                                          Account& account, const TableOptions& options = {});
 
 }  // namespace nodal::elastic

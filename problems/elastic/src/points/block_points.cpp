@@ -40,7 +40,6 @@ Net place_block(const Body& body, const std::array<std::size_t, 3>& counts) {
   Net net;
   net.dimension = 3;
   net.body = body;
-  net.layout = fmt::format("grid of {} × {} × {} nodes", counts[0], counts[1], counts[2]);
   net.grid = {counts[0], counts[1], block.cell(), counts[2]};
   block.for_each_node([&](const BlockIndex& i) {
     net.nodes.push_back(block.place(i));

@@ -29,7 +29,6 @@ Net place_counted_grid(const Body& body, std::size_t columns, std::size_t rows) 
   const auto [corner, size] = rectangle_of(body);
   Net net;
   net.body = body;
-  net.layout = fmt::format("grid of {} × {} nodes", columns, rows);
   net.grid = {
       columns, rows, {size[0] / static_cast<double>(columns - 1), size[1] / static_cast<double>(rows - 1), 0.0}};
   // Shares of the side, not sums of cells, so that the last node lies exactly on the border.

@@ -36,17 +36,19 @@ std::vector<std::size_t> read_counts(const Options& points, std::size_t dimensio
   return {counts.begin(), counts.end()};
 }
 
-LaidNodes read_block(const Options& points, const Body& body) {
+LaidNodes read_block(const Options& points, const LayoutRequest& request) {
   if (points.has("spacing") || points.has("cell"))
     throw Refusal("a body in space takes a grid: points = { counts = [5, 5, 5] }");
   const std::vector<std::size_t> counts = read_counts(points, 3);
-  return {.net = place_block(body, {counts[0], counts[1], counts[2]})};
+  request.account.used("points", fmt::format("grid of {} nodes", fmt::join(counts, " × ")));
+  return {.net = place_block(request.body, {counts[0], counts[1], counts[2]})};
 }
 
-LaidNodes read_counted_grid(const Options& points, const Body& body) {
+LaidNodes read_counted_grid(const Options& points, const LayoutRequest& request) {
   const std::vector<std::size_t> counts = read_counts(points, 2);
+  request.account.used("points", fmt::format("grid of {} nodes", fmt::join(counts, " × ")));
   return at(
-      points.values().source, [&] { return LaidNodes{.net = place_counted_grid(body, counts[0], counts[1])}; },
+      points.values().source, [&] { return LaidNodes{.net = place_counted_grid(request.body, counts[0], counts[1])}; },
       "give points = { spacing = 0.5 }, and a grid with such cells, in metres, is clipped to the body");
 }
 
@@ -70,18 +72,19 @@ LaidNodes read_clipped_grid(const LayoutRequest& request, GridCells cells) {
     laid = lay(request.body, make_fitted_grid(outline, cell, cells).points);
   }
   const char* form = request.neighbours_only ? "clipped to the body" : "inside the body, and nodes along its outline";
-  laid.net.layout = fmt::format("{} nodes: a {} grid, {}", laid.net.nodes.size(),
-                                cells == GridCells::triangular ? fmt::format("triangular {} m", cell[0])
-                                                               : fmt::format("{} m × {} m", cell[0], cell[1]),
-                                form);
+  request.account.used("points",
+                       fmt::format("{} nodes: a {} grid, {}", laid.net.nodes.size(),
+                                   cells == GridCells::triangular ? fmt::format("triangular {} m", cell[0])
+                                                                  : fmt::format("{} m × {} m", cell[0], cell[1]),
+                                   form));
   return laid;
 }
 
 LaidNodes make_grid(const LayoutRequest& request) {
   const Options points = request.problem.table("points");
-  if (request.body.box) return read_block(points, request.body);
+  if (request.body.box) return read_block(points, request);
   const bool clipped = points.has("spacing") || points.has("cell");
-  return clipped ? read_clipped_grid(request, GridCells::rectangular) : read_counted_grid(points, request.body);
+  return clipped ? read_clipped_grid(request, GridCells::rectangular) : read_counted_grid(points, request);
 }
 
 LaidNodes make_triangular_grid(const LayoutRequest& request) {

@@ -26,6 +26,22 @@
 
 namespace nodal::elastic {
 
+/// The least energy of regions per point in the plane (Fejes Tóth): that of regular hexagons, 5/(36√3).
+inline constexpr double kHexagonalEnergy = 0.080187537387448;
+
+/// One line of the record of iterated Voronoi regions (paper, Figure 2); iteration 0 is the start. Deviations are
+/// relative to the mean. Energies are E n'/(2 A ∫ρ), where n' counts a point by the share of a full turn about it that
+/// lies in the body: regular hexagons all over it have kHexagonalEnergy, squares 1/12.
+struct VoronoiStep {
+  std::size_t iteration = 0;
+  double distance_deviation = 0.0;  ///< standard deviation of neighbours' distances
+  double area_deviation = 0.0;      ///< of regions' areas
+  double energy = 0.0;              ///< of E = Σ_i ∫ ρ |x − p_i|² dA over the regions; never rises
+  double inner_energy = 0.0;        ///< of the regions that don't meet the outline; 0 of none
+  double area_error = 0.0;          ///< |sum of the regions' areas − A| / A
+  double largest_move = 0.0;        ///< that led here, in even spacings
+};
+
 struct VoronoiOptions {
   std::size_t iterations = 50;  ///< at most
   double tolerance = 0.0;       ///< stops after an iteration whose largest move, in even spacings, is less; 0 never
@@ -35,7 +51,7 @@ struct VoronoiOptions {
 struct IteratedVoronoi {
   PlacedPoints points;
   std::vector<VoronoiStep> history;
-  std::vector<std::vector<Ring>> cells;  ///< [points], as Net::cells
+  std::vector<std::vector<Ring>> cells;  ///< [points]: the rings of each region in the body
 };
 
 [[nodiscard]] IteratedVoronoi iterate_voronoi(const Outline& outline, PlacedPoints start,

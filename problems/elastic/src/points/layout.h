@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include <nodal/elastic/account.h>
 #include <nodal/elastic/net.h>
 #include <nodal/options.h>
 #include <nodal/registry.h>
@@ -25,6 +26,7 @@ struct LayoutRequest {
   const Options& problem;  ///< the study's tables, of which layouts read `points`
   const ProblemContext& context;
   const Body& body;
+  Account& account;  ///< told how nodes were placed: `used("points", "grid of 5 × 5 nodes")`
   /// The springs join neighbours in a grid, and nothing else: a grid has no nodes of its outline's beside its own.
   bool neighbours_only = false;
 };

@@ -10,6 +10,7 @@
 #include "points/iterated_voronoi.h"
 #include "points/layout.h"
 #include "points/random_points.h"
+#include "points/voronoi_account.h"
 #include "tables/exclusive_keys.h"
 #include "triangulation/triangulation.h"
 
@@ -90,7 +91,7 @@ LaidNodes make_random(const LayoutRequest& request) {
   const Outline outline(request.body);
   const Scattered made = scatter(request.problem.table("points"), "random", outline);
   LaidNodes laid = lay(request.body, made.placed.points);
-  laid.net.layout = made.counted;
+  request.account.used("points", made.counted);
   return laid;
 }
 
@@ -106,9 +107,10 @@ LaidNodes make_voronoi(const LayoutRequest& request) {
   voronoi.density = made.options.density;
   IteratedVoronoi result = iterate_voronoi(outline, std::move(made.placed), voronoi);
   LaidNodes laid = lay(request.body, result.points.points);
-  laid.net.history = std::move(result.history);
-  laid.net.cells = std::move(result.cells);
-  laid.net.layout = fmt::format("{}, then {} iterations of Voronoi regions", made.counted, laid.net.history.size() - 1);
+  request.account.used(
+      "points", fmt::format("{}, then {} iterations of Voronoi regions", made.counted, result.history.size() - 1));
+  tell_of_iterations(result.history, request.account);
+  request.account.regions = std::move(result.cells);
   return laid;
 }
 

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "displacements/elastic_model.h"
+#include "displacements/model_account.h"
 #include "displacements/spread.h"
 #include "objective/displacement_term.h"
 #include "objective/objective.h"
@@ -22,32 +23,10 @@ namespace {
 // start on a bound can stick to it.
 constexpr double kJustInside = 1e-6;
 
-std::string voronoi_detail(const Net& net) {
-  if (net.history.empty()) return "no points were spread by them";
-  const VoronoiStep &first = net.history.front(), &last = net.history.back();
-  return fmt::format(
-      "{} iterations: deviation of neighbours' distances {:.3g} → {:.3g}, of areas {:.3g} → {:.3g}, energy "
-      "{:.4g} → {:.4g} (hexagons: 0.0802)",
-      last.iteration, first.distance_deviation, last.distance_deviation, first.area_deviation, last.area_deviation,
-      first.energy, last.energy);
-}
-
-std::string triangulation_detail(const Net& net) {
-  if (!net.triangles.empty()) return fmt::format("{} triangles within the outlines", net.triangles.size());
-  return net.grid.columns > 0 ? "the grid's topology says which nodes are joined"
-                              : fmt::format("the springs are made otherwise: {}", net.topology);
-}
-
-std::string masses_detail(const Scene& scene) {
-  if (scene.net.masses.empty()) return "equilibria need none";
-  if (scene.masses.table().empty()) return "as the file of nodes says";
-  return fmt::format("{}: {}", scene.masses.at("form").text(), scene.masses.at("message").text());
-}
-
 }  // namespace
 
 struct ElasticProblem::Data {
-  explicit Data(Scene scene) : model(std::move(scene)) {
+  Data(Scene scene, Account said) : model(std::move(scene)), account(std::move(said)) {
     const double lower = std::log(model.scene.stiffness_bounds[0]), upper = std::log(model.scene.stiffness_bounds[1]);
     const double margin = kJustInside * (upper - lower);
     start_stiffness = model.scene.initial_stiffness;
@@ -68,9 +47,11 @@ struct ElasticProblem::Data {
     space = Space(coordinates);
     // Part of the problem where values need it: trials, each in a process of its own, must not pay for it again.
     if (values_by_lanes(model)) (void)model.lanes();
+    tell_of(model, account);
   }
 
   ElasticModel model;
+  Account account;
   Objective objective{{{std::make_shared<DisplacementTerm>(model)}}};
   Space space;
   std::vector<double> start_stiffness;
@@ -78,7 +59,8 @@ struct ElasticProblem::Data {
   std::unique_ptr<const show::ElasticExhibit> exhibit;
 };
 
-ElasticProblem::ElasticProblem(Scene scene) : data_(std::make_unique<Data>(std::move(scene))) {
+ElasticProblem::ElasticProblem(Scene scene, Account account)
+    : data_(std::make_unique<Data>(std::move(scene), std::move(account))) {
   data_->exhibit = std::make_unique<const show::ElasticExhibit>(*this);
 }
 ElasticProblem::~ElasticProblem() = default;
@@ -86,6 +68,7 @@ ElasticProblem::~ElasticProblem() = default;
 const Exhibit* ElasticProblem::exhibit() const { return data_->exhibit.get(); }
 const Space& ElasticProblem::space() const { return data_->space; }
 const Scene& ElasticProblem::scene() const noexcept { return data_->model.scene; }
+const Account& ElasticProblem::account() const noexcept { return data_->account; }
 const Parameters& ElasticProblem::parameters() const noexcept { return data_->model.parameters; }
 
 Abilities ElasticProblem::abilities() const { return data_->objective.abilities(); }
@@ -164,88 +147,17 @@ State ElasticProblem::solve(std::span<const double> stiffness) const {
 }
 
 Value ElasticProblem::details() const {
-  Value details;
-  const Net& net = scene().net;
-  Value::List iterations;
-  for (const VoronoiStep& step : net.history) {
-    Value line;
-    line.set("iteration", Value(static_cast<std::int64_t>(step.iteration)));
-    line.set("distance_deviation", step.distance_deviation);
-    line.set("area_deviation", step.area_deviation);
-    line.set("energy", step.energy);
-    line.set("inner_energy", step.inner_energy);
-    line.set("area_error", step.area_error);
-    line.set("largest_move", step.largest_move);
-    iterations.push_back(std::move(line));
-  }
-  if (!iterations.empty()) details.set("voronoi", Value(std::move(iterations)));
-  if (!scene().masses.table().empty()) details.set("masses", scene().masses);
-  if (!scene().supports_choice.empty()) details.set("supports", scene().supports_choice);
-  const auto list = [&](const char* key, const std::vector<std::string>& lines) {
-    Value::List values(lines.begin(), lines.end());
-    if (!values.empty()) details.set(key, Value(std::move(values)));
-  };
-  list("selections", scene().selections);
-  list("findings", scene().findings);
+  Value details = account().data;
+  const std::vector<std::string>& findings = account().findings();
+  if (!findings.empty()) details.set("findings", Value(Value::List(findings.begin(), findings.end())));
   return details;
 }
 
-std::vector<Stage> ElasticProblem::stages() const {
-  const Scene& s = scene();
-  const ElasticModel& model = data_->model;
-  const bool supernodal = std::ranges::any_of(model.groups, [](const auto& g) { return g->pattern().supernodal(); });
-  return {
-      {"body", true,
-       s.net.dimension == 3 ? s.net.body.name : fmt::format("{}, thickness {}", s.net.body.name, s.net.body.thickness)},
-      {"points", true, s.net.layout},
-      {"iterated Voronoi regions", !s.net.history.empty(), voronoi_detail(s.net)},
-      {"springs", true, fmt::format("{}, {} springs", s.net.topology, s.net.springs.size())},
-      {"Delaunay triangulation", !s.net.triangles.empty(), triangulation_detail(s.net)},
-      {"rigidity by sparse QR", s.net.grid.columns == 0,
-       s.net.grid.columns == 0 ? "no node moves without resistance" : "a grid with diagonals is rigid"},
-      {"masses", !s.net.masses.empty(), masses_detail(s)},
-      {"loads", true,
-       fmt::format("{} load cases, {} support group{}{}", s.loads.loads.size(), s.loads.groups.size(),
-                   s.loads.groups.size() == 1 ? "" : "s", s.supports_choice.empty() ? "" : ", " + s.supports_choice)},
-      {"analytic reference", s.has_reference && s.measured_reference.empty(),
-       !s.has_reference               ? "a closed form is known for the basic loads only"
-       : s.measured_reference.empty() ? "a homogeneous body under homogeneous stress: the closed form is exact"
-                                      : "the reference was measured"},
-      {"measured reference", !s.measured_reference.empty(),
-       s.measured_reference.empty() ? "no file is given" : s.measured_reference},
-      {"finite-element reference", false,
-       !s.has_reference               ? "nodal has none"
-       : s.measured_reference.empty() ? "nodal has none; the closed form holds"
-                                      : "nodal has none; the reference was measured"},
-      {"parameters", true,
-       fmt::format("{}: {} coordinates (ln k) for {} springs", s.parameter_rule.name, parameters().size(),
-                   parameters().springs())},
-      {"initial stiffness", true, s.initial_rule},
-      {"bounds", true,
-       fmt::format("{:.6g} to {:.6g} N/m: {}", s.stiffness_bounds[0], s.stiffness_bounds[1], s.bounds_origin)},
-      {"lanes", values_by_lanes(model),
-       values_by_lanes(model)
-           ? fmt::format("values of a race: all support groups in one factorization ({} kernels)",
-                         s.moves.instructions == "auto" ? best_lane_instructions() : s.moves.instructions)
-           : "values of a race come from CHOLMOD: it is asked for"},
-      {"equilibrium", true,
-       fmt::format("CHOLMOD {}, {} factorization{} per {}", supernodal ? "supernodal" : "simplicial",
-                   model.groups.size(), model.groups.size() == 1 ? "" : "s",
-                   values_by_lanes(model) ? "value that is reported" : "value")},
-      {"gradient", true, "adjoint: one more solve per load, from the same factor"},
-      {"moves", true,
-       s.moves.form != "auto" ? fmt::format("priced by the form that is asked for: {}", s.moves.form)
-       : parameters().one_to_one()
-           ? "priced one changed spring at a time, lazily while most are accepted, from a list of all springs later"
-           : "priced by as many rank-one changes as springs are tied, or by factoring anew where that costs less"},
-  };
-}
+std::vector<Stage> ElasticProblem::stages() const { return account().stages(); }
 
 std::vector<std::string> ElasticProblem::remarks() const {
   const Scene& s = scene();
-  std::vector<std::string> remarks = s.net.body.remarks;
-  for (const std::vector<std::string>* more : {&s.net.remarks, &s.selections, &s.findings})
-    remarks.insert(remarks.end(), more->begin(), more->end());
+  std::vector<std::string> remarks = account().remarks();
   double factor_entries = 0.0;
   for (const auto& group : data_->model.groups) factor_entries += group->pattern().factor_entries();
   const double jacobian_mib = static_cast<double>(residual_count() * parameters().size()) * 8.0 / 1048576.0;
@@ -263,18 +175,6 @@ std::vector<std::string> ElasticProblem::remarks() const {
     remarks.push_back(
         "no load has a force: all stiffnesses times any factor fit as well, so only their ratios are found; give a "
         "force that was measured");
-  const bool space = s.net.dimension == 3;
-  const double poisson = space ? s.material.poisson : s.material.plane_poisson();
-  // What was measured has no material that the study would know of.
-  if (s.measured_reference.empty() && s.has_reference && std::abs(poisson - (space ? 0.25 : 1.0 / 3.0)) > 0.02) {
-    const bool tied = !parameters().one_to_one();
-    remarks.push_back(fmt::format(
-        "springs alone make a Cauchy-elastic net: even, isotropic ones have Poisson's ratio {}, the material "
-        "has {:.4g}; {}",
-        space ? "1/4 in space" : "1/3 in the plane", poisson,
-        tied ? "tied springs can't make up for that, so expect a remaining error"
-             : "free, uneven springs reach it at the price of a spread in stiffness and of local noise"));
-  }
   return remarks;
 }
 

@@ -55,8 +55,8 @@ std::pair<double, std::string> typical(const Options& springs, const ProblemCont
 
 }  // namespace
 
-void read_bounds(const Options& springs, const ProblemContext& context, const StudyNet& study, BestPaperStart& paper,
-                 Scene& scene) {
+ChosenBounds read_bounds(const Options& springs, const ProblemContext& context, const StudyNet& study,
+                         BestPaperStart& paper, const Scene& scene) {
   const bool own = springs.has("file");
   const bool given = springs.has("bounds");
   const Source& source = given ? springs.at("bounds").source : springs.values().source;
@@ -65,19 +65,13 @@ void read_bounds(const Options& springs, const ProblemContext& context, const St
     const bool space = scene.net.dimension == 3;
     const std::string unit = space ? "young × the mean rest length" : "young × thickness";
     const double length = space ? mean_length(scene.net.springs) : scene.net.body.thickness;
-    scene.stiffness_bounds = times(bounds, scene.material.young * length, source, unit);
-    scene.bounds_origin = fmt::format("[{}, {}] × {}", bounds[0], bounds[1], unit);
-    return;
+    return {times(bounds, scene.material.young * length, source, unit),
+            fmt::format("[{}, {}] × {}", bounds[0], bounds[1], unit)};
   }
-  if (study.bounds) {
-    scene.stiffness_bounds = *study.bounds;
-    scene.bounds_origin = "as the file of springs says";
-    return;
-  }
+  if (study.bounds) return {*study.bounds, "as the file of springs says"};
   const auto [typical_stiffness, of_what] = typical(springs, context, study, paper, scene);
-  scene.stiffness_bounds = times(kDefaultBounds, typical_stiffness, source, "the springs' stiffnesses");
-  scene.bounds_origin =
-      fmt::format("[{}, {}] × the geometric mean of {}", kDefaultBounds[0], kDefaultBounds[1], of_what);
+  return {times(kDefaultBounds, typical_stiffness, source, "the springs' stiffnesses"),
+          fmt::format("[{}, {}] × the geometric mean of {}", kDefaultBounds[0], kDefaultBounds[1], of_what)};
 }
 
 }  // namespace nodal::elastic

@@ -10,6 +10,9 @@
 ///         else [1e-4, 1e2] × the geometric mean of the stiffnesses that their file or that of their start says;
 ///         else [1e-4, 1e2] × the geometric mean of the start by `paper` at its best factor.
 
+#include <array>
+#include <string>
+
 #include <nodal/elastic/elastic_problem.h>
 
 #include "read/read_net.h"
@@ -17,9 +20,13 @@
 
 namespace nodal::elastic {
 
-/// Fills bounds and their origin in a scene whose net, loads and material are there. InputError for bounds that are
-/// none.
-void read_bounds(const Options& springs, const ProblemContext& context, const StudyNet& study, BestPaperStart& paper,
-                 Scene& scene);
+struct ChosenBounds {
+  std::array<double, 2> stiffness;  ///< N/m
+  std::string origin;               ///< who chose them, in a phrase
+};
+
+/// For a scene whose net, loads and material are there. InputError for bounds that are none.
+[[nodiscard]] ChosenBounds read_bounds(const Options& springs, const ProblemContext& context, const StudyNet& study,
+                                       BestPaperStart& paper, const Scene& scene);
 
 }  // namespace nodal::elastic

@@ -16,14 +16,14 @@ namespace {
 constexpr double kDensity = 1.0;  // [kg/m³]
 
 // Mass of each node's Voronoi region; the regions are kept for pictures.
-std::vector<double> region_masses(double density, Net& net) {
+std::vector<double> region_masses(double density, const Net& net, Account& account) {
   const Outline outline(net.body);
   VoronoiCells cells(outline, {});
   cells.compute(in_plane(net.nodes));
   std::vector<double> masses;
   for (const CellSums& cell : cells.cells()) masses.push_back(density * net.body.thickness * cell.area);
-  if (net.cells.empty())
-    for (std::size_t i = 0; i < net.nodes.size(); ++i) net.cells.push_back(cells.rings(i));
+  if (account.regions.empty())
+    for (std::size_t i = 0; i < net.nodes.size(); ++i) account.regions.push_back(cells.rings(i));
   return masses;
 }
 
@@ -74,10 +74,13 @@ OptionSchema masses_fields() {
   };
 }
 
-Value read_masses(const Options& masses, Net& net) {
+void read_masses(const Options& masses, Net& net, Account& account) {
   const std::string& form = masses.text("form");
   refuse_foreign_keys(masses, form);
-  if (form == "none") return {};
+  if (form == "none") {
+    if (net.masses.empty()) return account.left_out("masses", "equilibria need none");
+    return account.used("masses", "as the file of nodes says");
+  }
   const Source& source = masses.at("form").source;
   if (net.dimension == 3)
     throw InputError(source, "masses are found in the plane only; equilibria need none: leave 'masses' out");
@@ -87,18 +90,19 @@ Value read_masses(const Options& masses, Net& net) {
         "masses need a body with an outline, and this one has none; describe it, as by body = { size = [4, 4] }");
   if (form == "positive" && !triangulation_available())
     throw InputError(source, fmt::format("positive masses need {}", triangulation_library()));
-  return at(source, [&] {
+  at(source, [&] {
     const double density = masses.number("density");
     const MassTarget target = mass_target(net.body, density);
-    const Masses found =
-        form == "least-norm"
-            ? least_norm_masses(in_plane(net.nodes), target)
-            : positive_masses(in_plane(net.nodes), target, region_masses(density, net), masses.number("least_share"));
+    const Masses found = form == "least-norm"
+                             ? least_norm_masses(in_plane(net.nodes), target)
+                             : positive_masses(in_plane(net.nodes), target, region_masses(density, net, account),
+                                               masses.number("least_share"));
     if (form == "positive" && found.outcome == MassOutcome::infeasible)
       throw InputError(source,
                        fmt::format("{}; take masses = {{ form = \"least-norm\" }}, or other points", found.message));
     net.masses = found.masses;
-    return report(form, found);
+    account.used("masses", fmt::format("{}: {}", form, found.message));
+    account.data.set("masses", report(form, found));
   });
 }
 

@@ -3,6 +3,7 @@
 
 /// The masses that a study asks for: `masses`.
 
+#include <nodal/elastic/account.h>
 #include <nodal/elastic/net.h>
 #include <nodal/options.h>
 
@@ -10,10 +11,9 @@ namespace nodal::elastic {
 
 [[nodiscard]] OptionSchema masses_fields();
 
-/// Fills the net's masses (and its cells, where masses need them). Does nothing for form "none".
-/// InputError without an outline, for positive masses that are proved impossible, or in a build without CGAL.
-/// Returns the report for `details`: how far moments are off, the smallest mass, the rank, which conditions fail; an
-/// empty table where there are no masses.
-[[nodiscard]] Value read_masses(const Options& masses, Net& net);
+/// Fills the net's masses; of form "none" they stay what a file of nodes says. InputError without an outline, for
+/// positive masses that are proved impossible, or in a build without CGAL.
+/// The account's data get "masses": how far moments are off, the smallest mass, the rank, which conditions fail.
+void read_masses(const Options& masses, Net& net, Account& account);
 
 }  // namespace nodal::elastic

@@ -51,40 +51,45 @@ const Connection& read_connection(const Options& springs, const Layout& layout, 
   return *connection;
 }
 
-LaidNodes lay_nodes(const Options& problem, const ProblemContext& context, const Body& body, const Layout& layout,
-                    bool neighbours_only) {
-  return at(problem.table("points").values().source, [&] {
-    return layout.make({.problem = problem, .context = context, .body = body, .neighbours_only = neighbours_only});
-  });
+LaidNodes lay_nodes(const Layout& layout, const LayoutRequest& request) {
+  LaidNodes nodes = at(request.problem.table("points").values().source, [&] { return layout.make(request); });
+  request.account.left_out(kVoronoiStage, "no points were spread by them");
+  return nodes;
 }
 
-void join(const Connection& connection, const Options& problem, LaidNodes& nodes) {
+void tell_of_springs(const Net& net, Account& account) {
+  account.used("springs", fmt::format("{}, {} springs", net.topology, net.springs.size()));
+}
+
+void join(const Connection& connection, const Options& problem, LaidNodes& nodes, Account& account) {
   const Options springs = problem.table("springs");
   if (!connection.layout.empty())
-    return at(problem.table("points").values().source, [&] { connection.make(springs, nodes); });
+    return at(problem.table("points").values().source, [&] { connection.make(springs, nodes, account); });
   nodes.net.grid = {};  // joined otherwise it is none
   try {
-    connection.make(springs, nodes);
+    connection.make(springs, nodes, account);
   } catch (const Refusal& refusal) {
     const Source& source = springs.has("topology") ? springs.at("topology").source : springs.values().source;
     throw InputError(source, fmt::format("topology '{}': {}", connection.name, refusal.what()));
   }
 }
 
-StudyNet read_own_springs(const Options& problem, const ProblemContext& context, Net net) {
+StudyNet read_own_springs(const Options& problem, const ProblemContext& context, Net net, Account& account) {
   const Options springs = problem.table("springs");
   TableOptions options = read_table_options(springs);
   options.scale = read_table_options(problem.table("points")).scale;  // lengths are in the nodes' unit
-  SpringFile file = read_spring_file(context.files, context.files.path(springs.text("file")), net, options);
+  SpringFile file = read_spring_file(context.files, context.files.path(springs.text("file")), net, account, options);
   net.topology = fmt::format("from {}", springs.text("file"));
   net.grid = {};
   net.springs = std::move(file.springs);
+  tell_of_springs(net, account);
+  account.left_out(kTriangulationStage, fmt::format("the springs are made otherwise: {}", net.topology));
   return {std::move(net), std::move(file.stiffness), std::move(file.groups), file.bounds};
 }
 
 }  // namespace
 
-StudyNet read_net(const Options& problem, const ProblemContext& context, const Body& body) {
+StudyNet read_net(const Options& problem, const ProblemContext& context, const Body& body, Account& account) {
   const Options springs = problem.table("springs");
   refuse_both(springs, "file", "topology");
   refuse_both(springs, "file", "nearest");
@@ -92,7 +97,8 @@ StudyNet read_net(const Options& problem, const ProblemContext& context, const B
   if (springs.has("file")) {
     if (body.box) throw InputError(springs.at("file").source, "springs of a file are read in the plane only");
     // They join the nodes that a grid has.
-    return read_own_springs(problem, context, lay_nodes(problem, context, body, layout, true).net);
+    LaidNodes nodes = lay_nodes(layout, {problem, context, body, account, true});
+    return read_own_springs(problem, context, std::move(nodes.net), account);
   }
   if (springs.has("columns"))
     throw InputError(springs.at("columns").source, "'columns' belongs to a 'file' of springs");
@@ -101,8 +107,13 @@ StudyNet read_net(const Options& problem, const ProblemContext& context, const B
     throw InputError(springs.at("nearest").source, fmt::format("'nearest' belongs to topology 'nearest', and this one "
                                                                "is '{}'",
                                                                connection.name));
-  LaidNodes nodes = lay_nodes(problem, context, body, layout, !connection.layout.empty());
-  join(connection, problem, nodes);
+  const bool neighbours = !connection.layout.empty();
+  LaidNodes nodes = lay_nodes(layout, {problem, context, body, account, neighbours});
+  join(connection, problem, nodes, account);
+  tell_of_springs(nodes.net, account);
+  account.left_out(kTriangulationStage, neighbours
+                                            ? "the grid's topology says which nodes are joined"
+                                            : fmt::format("the springs are made otherwise: {}", nodes.net.topology));
   return {std::move(nodes.net), {}, {}};
 }
 

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include <nodal/elastic/account.h>
 #include <nodal/elastic/net.h>
 #include <nodal/options.h>
 #include <nodal/registry.h>
@@ -23,6 +24,7 @@ struct StudyNet {
 };
 
 /// InputError with the source of the value at fault.
-[[nodiscard]] StudyNet read_net(const Options& problem, const ProblemContext& context, const Body& body);
+[[nodiscard]] StudyNet read_net(const Options& problem, const ProblemContext& context, const Body& body,
+                                Account& account);
 
 }  // namespace nodal::elastic

@@ -20,7 +20,8 @@ namespace {
 
 // A start of the user's own may be evaluated outside the bounds, but not fitted from there; a rule's is moved inside
 // (elastic_problem.cpp).
-void require_within_bounds(const std::vector<double>& k, const Source& source, Scene& scene) {
+void require_within_bounds(const std::vector<double>& k, const Source& source, const std::string& bounds_origin,
+                           Scene& scene) {
   const auto [lower, upper] = scene.stiffness_bounds;
   for (std::size_t e = 0; e < k.size() && scene.fit_refusal.empty(); ++e) {
     if (within_bounds(std::log(k[e]), std::log(lower), std::log(upper))) continue;
@@ -28,7 +29,7 @@ void require_within_bounds(const std::vector<double>& k, const Source& source, S
     const InputError refusal(source, fmt::format("the start's spring ({}, {}) has stiffness {}, outside the bounds "
                                                  "[{}, {}] ({}); change the file or springs = {{ bounds = … }}",
                                                  scene.net.id(spring.first), scene.net.id(spring.second), k[e], lower,
-                                                 upper, scene.bounds_origin));
+                                                 upper, bounds_origin));
     scene.fit_refusal = refusal.what();
   }
 }
@@ -44,11 +45,12 @@ std::vector<double> stiffness_by_rule(const std::string& name, const Source& sou
 
 std::string scaled_by(double factor) { return fmt::format(", scaled by its best single factor {:.6g}", factor); }
 
-void scale_best(const Source& source, Scene& scene) {
+// By which factor, in words.
+std::string scale_best(const Source& source, Scene& scene) {
   try {
     const double factor = best_scale(scene, scene.initial_stiffness);
-    scene.initial_rule += scaled_by(factor);
     for (double& k : scene.initial_stiffness) k *= factor;
+    return scaled_by(factor);
   } catch (const Refusal& refusal) {
     throw InputError(source, fmt::format("'scale' can't be \"best\": {}", refusal.what()));
   }
@@ -62,31 +64,32 @@ bool is_the_papers_plate(const Net& net) {
 
 // What a file of springs says; else the paper's rule, on its own plate as it is, elsewhere times its best factor. A net
 // without such a factor starts all the same, and it is said.
-void read_default_start(const Options& springs, const std::vector<double>& of_file, BestPaperStart& paper,
-                        Scene& scene) {
+std::string read_default_start(const StartRequest& request, Scene& scene) {
+  const Options& springs = request.springs;
+  const std::vector<double>& of_file = request.study.stiffness;
   if (!of_file.empty()) {
-    scene.initial_rule = "as the file of springs says";
     scene.initial_stiffness = of_file;
-    require_within_bounds(of_file, springs.at("file").source, scene);
-    return;
+    require_within_bounds(of_file, springs.at("file").source, request.bounds_origin, scene);
+    return "as the file of springs says";
   }
   if (springs.has("file") && !scene.has_reference)
     throw InputError(springs.at("file").source,
                      "the springs have no stiffness, and there is no reference to find it by; give the file a column "
                      "'stiffness', or springs = { initial = { file = \"stiffness.json\" } }");
-  scene.initial_rule = kPaperRule.name;
+  const std::string rule(kPaperRule.name);
   if (is_the_papers_plate(scene.net) && !springs.has("file")) {
     scene.initial_stiffness = kPaperRule.make(scene);
-    return;
+    return rule;
   }
-  scene.initial_stiffness = paper.of(scene).stiffness;
-  const std::string& why = paper.of(scene).unscaled;
-  scene.initial_rule += why.empty() ? scaled_by(paper.of(scene).factor) : ", unscaled";
-  if (!why.empty()) scene.findings.push_back("the start has no best scale: " + why);
+  const PaperStart& paper = request.paper.of(scene);
+  scene.initial_stiffness = paper.stiffness;
+  if (paper.unscaled.empty()) return rule + scaled_by(paper.factor);
+  request.account.finding("the start has no best scale: " + paper.unscaled);
+  return rule + ", unscaled";
 }
 
 // Stiffnesses of a file, where springs are tied that it has different ones for.
-void tell_of_ties(Scene& scene) {
+void tell_of_ties(const Scene& scene, Account& account) {
   constexpr double kEqual = 1e-9;  // as files that are written with ten digits have them
   const Parameters parameters(scene.net, scene.parameter_rule);
   std::vector<double> tied = scene.initial_stiffness;
@@ -95,46 +98,42 @@ void tell_of_ties(Scene& scene) {
   for (std::size_t e = 0; e < tied.size(); ++e)
     if (std::abs(tied[e] - scene.initial_stiffness[e]) > kEqual * tied[e]) ++changed;
   if (changed > 0)
-    scene.findings.push_back(
+    account.finding(
         fmt::format("{} of {} springs start with another stiffness than the file gives them: tied springs have the "
                     "geometric mean of their group",
                     changed, tied.size()));
 }
 
-void read_given_start(const Options& springs, const ProblemContext& context, Scene& scene) {
-  const Value& initial = springs.at("initial");
+std::string read_given_start(const StartRequest& request, Scene& scene) {
+  const Value& initial = request.springs.at("initial");
   if (initial.is_text()) {
-    scene.initial_rule = initial.text();
     scene.initial_stiffness = stiffness_by_rule(initial.text(), initial.source, scene);
-    return;
+    return initial.text();
   }
   const Options table(initial);
   if (table.has("file") == table.has("rule"))
     throw InputError(initial.source, "'initial' as a table must have either 'file' or 'rule'");
   if (table.has("file")) {
     if (table.has("scale")) throw InputError(initial.source, "'scale' belongs to a rule; a file is taken as it is");
-    scene.initial_rule = "file " + table.text("file");
-    scene.initial_stiffness = read_stiffness_file(context.files, context.files.path(table.text("file")), scene.net);
-    require_within_bounds(scene.initial_stiffness, initial.source, scene);
-    return;
+    InputFiles& files = request.context.files;
+    scene.initial_stiffness = read_stiffness_file(files, files.path(table.text("file")), scene.net);
+    require_within_bounds(scene.initial_stiffness, initial.source, request.bounds_origin, scene);
+    return "file " + table.text("file");
   }
-  scene.initial_rule = table.text("rule");
   scene.initial_stiffness = stiffness_by_rule(table.text("rule"), initial.source, scene);
-  if (table.has("scale")) scale_best(table.at("scale").source, scene);
+  return table.text("rule") + (table.has("scale") ? scale_best(table.at("scale").source, scene) : "");
 }
 
 }  // namespace
 
-void read_start(const Options& springs, const ProblemContext& context, const StudyNet& study, BestPaperStart& paper,
-                Scene& scene) {
+void read_start(const StartRequest& request, Scene& scene) {
+  const Options& springs = request.springs;
   const bool given = springs.has("initial");
-  if (given)
-    read_given_start(springs, context, scene);
-  else
-    read_default_start(springs, study.stiffness, paper, scene);
+  request.account.used("initial stiffness",
+                       given ? read_given_start(request, scene) : read_default_start(request, scene));
   const bool of_file =
-      given ? springs.at("initial").is_table() && springs.at("initial").find("file") : !study.stiffness.empty();
-  if (of_file) tell_of_ties(scene);
+      given ? springs.at("initial").is_table() && springs.at("initial").find("file") : !request.study.stiffness.empty();
+  if (of_file) tell_of_ties(scene, request.account);
 }
 
 }  // namespace nodal::elastic

@@ -4,6 +4,8 @@
 /// Which stiffnesses a study starts at: what `springs = { initial = … }` says, by a rule or from a file; else what the
 /// file of springs says; else the rule `paper`, off the paper's own plate times its best factor.
 
+#include <string>
+
 #include <nodal/elastic/elastic_problem.h>
 
 #include "read/read_net.h"
@@ -11,9 +13,17 @@
 
 namespace nodal::elastic {
 
-/// Fills the start and what is said of it in a scene whose net, material, loads, weights, parameters and bounds are
-/// there. InputError where the start can't be had.
-void read_start(const Options& springs, const ProblemContext& context, const StudyNet& study, BestPaperStart& paper,
-                Scene& scene);
+struct StartRequest {
+  const Options& springs;
+  const ProblemContext& context;
+  const StudyNet& study;
+  BestPaperStart& paper;
+  const std::string& bounds_origin;  ///< who chose the bounds, for whoever starts outside of them
+  Account& account;
+};
+
+/// Fills the start of a scene whose net, material, loads, weights, parameters and bounds are there, and whether it can
+/// be fitted from there. InputError where the start can't be had.
+void read_start(const StartRequest& request, Scene& scene);
 
 }  // namespace nodal::elastic

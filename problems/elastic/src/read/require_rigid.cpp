@@ -60,7 +60,7 @@ std::string why(const Net& net, bool rigid) {
 
 }  // namespace
 
-void require_rigid(const Net& net, const LoadSet& loads, const Source& source) {
+void require_rigid(const Net& net, const LoadSet& loads, const Source& source, Account& account) {
   const Structure structure = structure_of(net);
   const bool known = net.grid.columns > 0;
   const bool rigid = known || free_rigidity(structure).is_rigid();
@@ -77,6 +77,11 @@ void require_rigid(const Net& net, const LoadSet& loads, const Source& source) {
                     why(net, rigid)),
         net, found.motions.empty() ? std::vector<double>(net.freedoms().size(), 0.0) : found.motions.front());
   }
+  constexpr const char* kStage = "rigidity by sparse QR";
+  if (known)
+    account.left_out(kStage, "a grid with diagonals is rigid");
+  else
+    account.used(kStage, "no node moves without resistance");
 }
 
 }  // namespace nodal::elastic

@@ -3,6 +3,7 @@
 
 /// Refuses nets that can move without resistance before anybody tries to fit them.
 
+#include <nodal/elastic/account.h>
 #include <nodal/elastic/loads.h>
 #include <nodal/elastic/net.h>
 #include <nodal/error.h>
@@ -14,6 +15,6 @@ namespace nodal::elastic {
 /// MechanismError when, under some group of supports, nodes can move while no spring changes its length: names them.
 /// A full grid with diagonals is known to be rigid and not looked at.
 /// Cost     one sparse QR of the net; another per group of supports only where the free net is no rigid body.
-void require_rigid(const Net& net, const LoadSet& loads, const Source& source);
+void require_rigid(const Net& net, const LoadSet& loads, const Source& source, Account& account);
 
 }  // namespace nodal::elastic

@@ -2,6 +2,7 @@
 #include <nodal/elastic/elastic_problem.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -56,10 +57,10 @@ std::string forms_for_ties() {
   return fmt::format("moves = {{ form = \"auto\" }}, or {} or {}", fmt::join(names, ", "), last);
 }
 
-MovesOptions read_moves(const Options& options, const Scene& scene) {
+MovesOptions read_moves(const Options& options, const Scene& scene, bool one_to_one) {
   const MovesOptions moves{options.text("form"), options.text("instructions")};
   const PricingFormDescription* form = find_named(pricing_forms(), moves.form);
-  if (form && form->listed && !Parameters(scene.net, scene.parameter_rule).one_to_one())
+  if (form && form->listed && !one_to_one)
     throw InputError(
         options.at("form").source,
         fmt::format("'{}' prices one changed spring at a time, and parameters = '{}' ties springs; take {}", moves.form,
@@ -73,7 +74,7 @@ MovesOptions read_moves(const Options& options, const Scene& scene) {
 
 // Where nothing that counts moves, every stiffness is as good as another. What springs don't decide, because it is
 // held, doesn't count.
-void require_something_to_fit(const Scene& scene, const Source& weights, const Source& reference) {
+void require_something_to_fit(const Scene& scene, const Source& weights, const Source& reference, bool measured) {
   bool moves = false, known = false;
   for (const LoadCase& load : scene.loads.loads) {
     const SupportGroup& group = scene.loads.groups[load.group];
@@ -92,7 +93,7 @@ void require_something_to_fit(const Scene& scene, const Source& weights, const S
         weights,
         "no node that moves has a weight: nothing would be fitted; the net has moving nodes of a kind whose "
         "weight is 0, so leave 'weights' out, or give inner, border and corner each more than 0");
-  const std::string where = scene.measured_reference.empty() ? "the reference" : "the table of displacements";
+  const std::string where = measured ? "the table of displacements" : "the reference";
   if (!known)
     throw InputError(reference, where +
                                     " has displacements only where supports hold the nodes: springs decide nothing "
@@ -103,13 +104,12 @@ void require_something_to_fit(const Scene& scene, const Source& weights, const S
 }
 
 // Of nodes that come from a file or a clipped grid: what lies on the outline, and what may be meant to.
-void tell_of_outline(const Options& points, Scene& scene) {
-  const Net& net = scene.net;
+void tell_of_outline(const Options& points, const Net& net, Account& account) {
   const bool of_file = points.has("file");
   if (!net.body.has_outline() || !(of_file || points.has("spacing") || points.has("cell"))) return;
   if (of_file) {
     const auto of = [&](NodeKind kind) { return std::ranges::count(net.kinds, kind); };
-    scene.net.remarks.push_back(
+    account.remark(
         fmt::format("nodes within {:.3g} m of the outline are on it: {} on sides and {} at corners, {} inside",
                     outline_tolerance(net.body), of(NodeKind::border), of(NodeKind::corner), of(NodeKind::inner)));
   }
@@ -122,42 +122,72 @@ void tell_of_outline(const Options& points, Scene& scene) {
                                     beside.size(), beside.size() == 1 ? " is" : "s are", kNearOutline,
                                     fmt::join(ids, ", "), beside.size() > kNamed ? ", …" : "");
   message += "no support, traction or weight of an edge counts them; body = { on_outline = 1e-3 } would";
-  (of_file ? scene.findings : scene.net.remarks).push_back(std::move(message));
+  of_file ? account.finding(std::move(message)) : account.remark(std::move(message));
+}
+
+void tell_of_body(const Body& body, Account& account) {
+  account.used("body", body.dimension() == 3 ? body.name : fmt::format("{}, thickness {}", body.name, body.thickness));
+  for (const std::string& remark : body.remarks) account.remark(remark);
+}
+
+// Springs alone make a net of one Poisson's ratio; what was measured has no material that the study would know of.
+void tell_of_poisson(const Scene& scene, bool tied, Account& account) {
+  const bool space = scene.net.dimension == 3;
+  const double poisson = space ? scene.material.poisson : scene.material.plane_poisson();
+  if (std::abs(poisson - (space ? 0.25 : 1.0 / 3.0)) <= 0.02) return;
+  account.remark(
+      fmt::format("springs alone make a Cauchy-elastic net: even, isotropic ones have Poisson's ratio {}, the material "
+                  "has {:.4g}; {}",
+                  space ? "1/4 in space" : "1/3 in the plane", poisson,
+                  tied ? "tied springs can't make up for that, so expect a remaining error"
+                       : "free, uneven springs reach it at the price of a spread in stiffness and of local noise"));
+}
+
+// What is compared: the weights, and that there is something to fit.
+void read_quality(const Options& options, Scene& scene) {
+  const Options quality = options.table("quality"), reference = options.table("reference");
+  const Options weights = quality.table("weights");
+  const Source& source = quality.at("weights").source;
+  scene.weights = {weights.number("inner"), weights.number("border"), weights.number("corner")};
+  if (scene.weights.inner + scene.weights.border + scene.weights.corner <= 0.0)
+    throw InputError(source, "all weights are 0: nothing would be fitted");
+  if (!scene.has_reference) return;
+  const bool measured = reference.has("file");
+  require_something_to_fit(scene, source, measured ? reference.at("file").source : reference.values().source, measured);
 }
 
 }  // namespace
 
-Scene make_scene(const Options& options, const ProblemContext& context) {
-  Scene scene;
-  const char* shape = options.table("points").has("file") ? "none" : "rectangle";
-  const Body body = read_body(options.table("body"), context, shape);
+MadeScene make_scene(const Options& options, const ProblemContext& context) {
+  MadeScene made;
+  Scene& scene = made.scene;
+  Account& account = made.account;
+  const Options points = options.table("points"), springs = options.table("springs");
+  const Body body = read_body(options.table("body"), context, points.has("file") ? "none" : "rectangle");
+  tell_of_body(body, account);
   scene.material = read_material(options, body.dimension());
-  StudyNet study = read_net(options, context, body);
+  StudyNet study = read_net(options, context, body, account);
   scene.net = std::move(study.net);
-  tell_of_outline(options.table("points"), scene);
-  scene.masses = read_masses(options.table("masses"), scene.net);
-  read_loads(options, context, scene);
-  require_memory(scene.net.nodes.size(), scene.loads.groups.size(), available_memory(),
-                 options.table("points").values().source, scene.net.dimension);
-  require_rigid(scene.net, scene.loads, options.table("springs").values().source);
-
-  const Options weights = options.table("quality").table("weights");
-  scene.weights = {weights.number("inner"), weights.number("border"), weights.number("corner")};
-  if (scene.weights.inner + scene.weights.border + scene.weights.corner <= 0.0)
-    throw InputError(options.table("quality").at("weights").source, "all weights are 0: nothing would be fitted");
-  const Options reference = options.table("reference");
-  if (scene.has_reference)
-    require_something_to_fit(scene, options.table("quality").at("weights").source,
-                             reference.has("file") ? reference.at("file").source : reference.values().source);
+  tell_of_outline(points, scene.net, account);
+  read_masses(options.table("masses"), scene.net, account);
+  read_loads(options, context, scene, account);
+  require_memory(scene.net.nodes.size(), scene.loads.groups.size(), available_memory(), points.values().source,
+                 scene.net.dimension);
+  require_rigid(scene.net, scene.loads, springs.values().source, account);
+  read_quality(options, scene);
   scene.solver = options.table("equilibrium").text("method");
 
-  const Options springs = options.table("springs");
   scene.parameter_rule = read_parameters(springs.at("parameters"), scene.net, study.groups);
-  scene.moves = read_moves(options.table("moves"), scene);
+  const bool one_to_one = Parameters(scene.net, scene.parameter_rule).one_to_one();
+  scene.moves = read_moves(options.table("moves"), scene, one_to_one);
   BestPaperStart paper;
-  read_bounds(springs, context, study, paper, scene);
-  read_start(springs, context, study, paper, scene);
-  return scene;
+  const ChosenBounds bounds = read_bounds(springs, context, study, paper, scene);
+  scene.stiffness_bounds = bounds.stiffness;
+  account.used("bounds",
+               fmt::format("{:.6g} to {:.6g} N/m: {}", bounds.stiffness[0], bounds.stiffness[1], bounds.origin));
+  read_start({springs, context, study, paper, bounds.origin, account}, scene);
+  if (scene.has_reference && !options.table("reference").has("file")) tell_of_poisson(scene, !one_to_one, account);
+  return made;
 }
 
 }  // namespace nodal::elastic

@@ -34,23 +34,24 @@ void require_supports_of_dimension(const Options& loads, std::size_t dimension) 
                                  dimension == 3 ? "in space" : "in the plane", held));
 }
 
-LoadSet read_basic_loads(const Options& loads, Scene& scene) {
+LoadSet read_basic_loads(const Options& loads, const Scene& scene, Account& account) {
   require_supports_of_dimension(loads, scene.net.dimension);
-  if (loads.has("stress")) scene.stress = loads.number("stress");
-  if (scene.stress == 0.0)
+  const double stress = loads.has("stress") ? loads.number("stress") : 1.0;
+  if (stress == 0.0)
     throw InputError(loads.at("stress").source,
                      "'stress' is 0: the reference displacement is zero everywhere, so there is nothing to fit");
   const bool chosen = !loads.has("supports");
   const bool minimal = chosen ? !has_edges_to_hold(scene.net) : loads.text("supports") == "minimal";
   try {
     LoadSet set =
-        make_basic_loads(scene.net, scene.material, scene.stress, minimal ? SupportStyle::minimal : SupportStyle::edge);
+        make_basic_loads(scene.net, scene.material, stress, minimal ? SupportStyle::minimal : SupportStyle::edge);
     if (chosen)
-      scene.supports_choice =
+      account.data.set(
+          "supports",
           minimal
               ? "supports = \"minimal\": the body has no straight edges on its left and lower side, as \"edge\" holds"
           : scene.net.dimension == 3 ? "supports = \"face\""
-                                     : "supports = \"edge\"";
+                                     : "supports = \"edge\"");
     return set;
   } catch (const Refusal& refusal) {
     const auto& outlines = scene.net.outlines;
@@ -133,13 +134,13 @@ bool moves(const LoadCase& load, const SupportGroup& group, const Freedoms& free
 }
 
 // Supports bear what pulls at them, and no spring feels it: such a load is the same at all stiffnesses.
-void tell_of_idle_loads(const std::vector<OwnCase>& cases, Scene& scene) {
+void tell_of_idle_loads(const std::vector<OwnCase>& cases, const Scene& scene, Account& account) {
   for (std::size_t l = 0; l < cases.size(); ++l) {
     const OwnCase& one = cases[l];
     const LoadCase& load = scene.loads.loads[l];
     if (moves(load, scene.loads.groups[load.group], scene.net.freedoms())) {
       for (const std::string& idle : one.idle)
-        scene.findings.push_back(
+        account.finding(
             fmt::format("load '{}': {}, but only where supports hold: they bear all of it, and nothing moves by it",
                         one.name, idle));
       continue;
@@ -152,7 +153,7 @@ void tell_of_idle_loads(const std::vector<OwnCase>& cases, Scene& scene) {
                            : fmt::format("what pulls acts only where supports hold, and they bear all of it ({})",
                                          fmt::join(one.idle, "; ")));
     if (!scene.has_reference) {
-      scene.findings.push_back(why + "; all displacements and spring forces are 0");
+      account.finding(why + "; all displacements and spring forces are 0");
       continue;
     }
     throw InputError(one.source, why +
@@ -172,18 +173,41 @@ std::string summary(const std::string& file, const std::vector<MeasuredLoad>& me
 }
 
 // A line per load: what its selections took.
-std::vector<std::string> selections_of(const std::vector<OwnCase>& cases) {
+void tell_of_selections(const std::vector<OwnCase>& cases, Account& account) {
   constexpr std::size_t kListed = 12;
-  std::vector<std::string> lines;
+  Value::List lines;
   for (const OwnCase& one : cases) {
     const std::size_t listed = std::min(one.selections.size(), kListed);
     std::string line = fmt::format(
         "load '{}': {}", one.name,
         fmt::join(one.selections.begin(), one.selections.begin() + static_cast<std::ptrdiff_t>(listed), "; "));
     if (one.selections.size() > listed) line += fmt::format("; and {} more selections", one.selections.size() - listed);
-    lines.push_back(std::move(line));
+    account.remark(line);
+    lines.emplace_back(std::move(line));
   }
-  return lines;
+  account.data.set("selections", Value(std::move(lines)));
+}
+
+void tell_of_loads(const LoadSet& loads, Account& account) {
+  const Value* supports = account.data.find("supports");
+  account.used("loads", fmt::format("{} load cases, {} support group{}{}", loads.loads.size(), loads.groups.size(),
+                                    loads.groups.size() == 1 ? "" : "s", supports ? ", " + supports->text() : ""));
+}
+
+constexpr const char* kAnalyticStage = "analytic reference";
+constexpr const char* kMeasuredStage = "measured reference";
+
+void tell_of_closed_form(bool own, Account& account) {
+  if (own)
+    account.left_out(kAnalyticStage, "a closed form is known for the basic loads only");
+  else
+    account.used(kAnalyticStage, "a homogeneous body under homogeneous stress: the closed form is exact");
+  account.left_out(kMeasuredStage, "no file is given");
+}
+
+void tell_of_measurements(std::string summary, Account& account) {
+  account.left_out(kAnalyticStage, "the reference was measured");
+  account.used(kMeasuredStage, std::move(summary));
 }
 
 }  // namespace
@@ -230,7 +254,7 @@ OptionSchema reference_fields() {
   };
 }
 
-void read_loads(const Options& problem, const ProblemContext& context, Scene& scene) {
+void read_loads(const Options& problem, const ProblemContext& context, Scene& scene, Account& account) {
   const Options loads = problem.table("loads"), reference = problem.table("reference");
   const bool own = loads.has("set") ? loads.text("set") == "own" : loads.has("cases");
   std::vector<OwnCase> cases;
@@ -245,12 +269,12 @@ void read_loads(const Options& problem, const ProblemContext& context, Scene& sc
     refuse_key(loads, "supports", "give each case supports = [{ edge = \"left\" }]");
     cases = read_own_cases(loads.tables("cases"), scene.net);
     scene.loads = from_cases(cases);
-    scene.selections = selections_of(cases);
+    tell_of_selections(cases, account);
   } else {
     if (loads.has("cases"))
       throw InputError(loads.at("cases").source,
                        fmt::format("set = \"{}\" has no cases of its own; leave 'set' out", loads.text("set")));
-    scene.loads = read_basic_loads(loads, scene);
+    scene.loads = read_basic_loads(loads, scene, account);
   }
 
   if (scene.net.dimension == 3 && reference.has("file"))
@@ -266,18 +290,22 @@ void read_loads(const Options& problem, const ProblemContext& context, Scene& sc
       throw InputError(reference.values().source,
                        "method = \"file\" needs a file: reference = { file = \"displacements.csv\" }");
     if (own) only_solved(cases, reference.values().source, scene);
-    tell_of_idle_loads(cases, scene);
+    tell_of_idle_loads(cases, scene, account);
+    tell_of_loads(scene.loads, account);
+    tell_of_closed_form(own, account);
     return;
   }
   std::vector<std::string> names;
   for (const LoadCase& load : scene.loads.loads) names.push_back(load.name);
-  const std::vector<MeasuredLoad> measured = read_displacement_file(
-      context.files, context.files.path(reference.text("file")), scene.net, names, read_table_options(reference));
+  const std::vector<MeasuredLoad> measured =
+      read_displacement_file(context.files, context.files.path(reference.text("file")), scene.net, names, account,
+                             read_table_options(reference));
   for (std::size_t l = 0; l < cases.size(); ++l)
     hold_as_measured(cases[l], measured[l], scene.net, scene.loads.groups[l]);
   apply_measurements(measured, scene.net.freedoms(), scene.loads);
-  tell_of_idle_loads(cases, scene);
-  scene.measured_reference = summary(reference.text("file"), measured);
+  tell_of_idle_loads(cases, scene, account);
+  tell_of_loads(scene.loads, account);
+  tell_of_measurements(summary(reference.text("file"), measured), account);
 }
 
 }  // namespace nodal::elastic

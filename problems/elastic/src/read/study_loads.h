@@ -11,7 +11,7 @@ namespace nodal::elastic {
 [[nodiscard]] OptionSchema loads_fields();
 [[nodiscard]] OptionSchema reference_fields();
 
-/// Fills loads, stress and reference of a scene whose net and material are there. InputError for what doesn't fit.
-void read_loads(const Options& problem, const ProblemContext& context, Scene& scene);
+/// Fills loads and reference of a scene whose net and material are there. InputError for what doesn't fit.
+void read_loads(const Options& problem, const ProblemContext& context, Scene& scene, Account& account);
 
 }  // namespace nodal::elastic

@@ -52,7 +52,7 @@ State solved(const ElasticProblem& problem, std::span<const double> stiffness) {
 }
 
 // The same scene with fewer springs, tied as they were; what springs were made from doesn't describe them any more.
-Scene with_springs(const ElasticProblem& problem, const Pruned& pruned) {
+MadeScene with_springs(const ElasticProblem& problem, const Pruned& pruned) {
   Scene scene = problem.scene();
   ParameterRule rule("listed");
   std::vector<Spring> springs;
@@ -70,7 +70,9 @@ Scene with_springs(const ElasticProblem& problem, const Pruned& pruned) {
   scene.net.triangles.clear();
   scene.net.topology += ", pruned";
   scene.initial_stiffness = pruned.stiffness;
-  return scene;
+  Account account = problem.account();
+  account.used("springs", fmt::format("{}, {} springs", scene.net.topology, scene.net.springs.size()));
+  return {std::move(scene), std::move(account)};
 }
 
 // Springs at the lower bound, from the one that holds the least energy Σ_loads ½ F²/k.

@@ -7,9 +7,10 @@
 #include <string>
 #include <vector>
 
-#include <nodal/elastic/net.h>
 #include <nodal/exhibit.h>
 #include <nodal/value.h>
+
+#include "points/iterated_voronoi.h"
 
 namespace nodal::elastic::show {
 

@@ -58,7 +58,7 @@ std::unique_ptr<ShownSystem> ElasticExhibit::show(const std::string& label, std:
   return std::make_unique<SolvedSystem>(problem_, label, stiffness);
 }
 
-std::vector<std::string> ElasticExhibit::notes() const { return problem_.scene().findings; }
+std::vector<std::string> ElasticExhibit::notes() const { return problem_.account().findings(); }
 
 std::vector<std::string> ElasticExhibit::notes_at(std::span<const double> stiffness) const {
   std::string text = describe(determine(problem_, stiffness), problem_);

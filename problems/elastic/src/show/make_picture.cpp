@@ -41,7 +41,6 @@ Picture make_net(const Net& net, std::span<const double> stiffness) {
   picture.seen = projection.seen(net);
   picture.kinds = net.kinds;
   picture.masses = net.masses;
-  picture.cells = net.cells;
   return picture;
 }
 
@@ -68,6 +67,7 @@ std::vector<std::array<bool, 2>> known_freedoms(const SupportGroup& group, std::
 Picture make_picture(const ElasticProblem& problem, std::span<const double> stiffness, const State& state,
                      std::string problem_label, std::string title) {
   Picture picture = make_net(problem.net(), stiffness);
+  picture.cells = problem.account().regions;
   picture.problem = std::move(problem_label);
   picture.title = std::move(title);
   picture.quality = state.quality;

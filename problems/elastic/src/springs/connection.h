@@ -24,7 +24,7 @@ struct Connection {
   /// What this build lacks for it and how to get it, empty when it is there; null where nothing can be lacking.
   std::string (*lacks)() = nullptr;
   /// Adds springs to nodes that have none, and says in the net how it did. Refusal where that can't be.
-  void (*make)(const Options& springs, LaidNodes& nodes);
+  void (*make)(const Options& springs, LaidNodes& nodes, Account& account);
 
   [[nodiscard]] std::string lacking() const { return lacks ? lacks() : std::string(); }
 };

@@ -24,15 +24,16 @@ void join(const std::vector<NodePair>& pairs, Net& net) {
   for (const auto& [i, j] : pairs) net.springs.push_back(make_spring(net.nodes, i, j));
 }
 
-void triangulate(Net& net) {
+void triangulate(Net& net, Account& account) {
   net.triangles = net.body.has_outline() ? constrained_triangles(in_plane(net.nodes), net.outlines)
                                          : delaunay_triangles(in_plane(net.nodes));
   const std::size_t slivers = drop_slivers(in_plane(net.nodes), net.triangles, kLeastTriangleHeight);
   if (slivers > 0)
-    net.remarks.push_back(
+    account.remark(
         fmt::format("{} sliver{} on the border, flatter than 1 : {}, {} left out: nodes there lie "
                     "nearly on a line",
                     slivers, slivers == 1 ? "" : "s", 1.0 / kLeastTriangleHeight, slivers == 1 ? "is" : "are"));
+  account.used(kTriangulationStage, fmt::format("{} triangles within the outlines", net.triangles.size()));
 }
 
 std::vector<NodePair> touching_regions(const Net& net) {
@@ -44,26 +45,26 @@ std::vector<NodePair> touching_regions(const Net& net) {
   return pairs;
 }
 
-void join_delaunay(const Options& /*springs*/, LaidNodes& nodes) {
+void join_delaunay(const Options& /*springs*/, LaidNodes& nodes, Account& account) {
   nodes.net.topology = kDelaunayConnection.name;
-  triangulate(nodes.net);
+  triangulate(nodes.net, account);
   join(side_pairs(nodes.net.triangles), nodes.net);
 }
 
-void join_delaunay_flip(const Options& springs, LaidNodes& nodes) {
-  join_delaunay(springs, nodes);
+void join_delaunay_flip(const Options& springs, LaidNodes& nodes, Account& account) {
+  join_delaunay(springs, nodes, account);
   nodes.net.topology = kDelaunayFlipConnection.name;
   join(flip_pairs(in_plane(nodes.net.nodes), nodes.net.triangles), nodes.net);
 }
 
-void join_voronoi_neighbours(const Options& /*springs*/, LaidNodes& nodes) {
+void join_voronoi_neighbours(const Options& /*springs*/, LaidNodes& nodes, Account& /*account*/) {
   if (!nodes.net.body.has_outline())
     throw Refusal("Voronoi regions need a body with an outline; take springs = { topology = \"delaunay\" }");
   nodes.net.topology = kVoronoiNeighboursConnection.name;
   join(touching_regions(nodes.net), nodes.net);
 }
 
-void join_nearest(const Options& springs, LaidNodes& nodes) {
+void join_nearest(const Options& springs, LaidNodes& nodes, Account& /*account*/) {
   Net& net = nodes.net;
   const std::int64_t count = springs.has("nearest") ? springs.integer("nearest") : kDefaultNearest;
   std::optional<Outline> outline;

@@ -24,7 +24,7 @@ void join_clipped(std::string_view topology, LaidNodes& nodes) {
 }
 
 template <const Connection& connection>
-void join(const Options& /*springs*/, LaidNodes& nodes) {
+void join(const Options& /*springs*/, LaidNodes& nodes, Account& /*account*/) {
   if (nodes.net.body.box)
     join_block(nodes.net, connection.name);
   else if (nodes.clipped)

@@ -248,8 +248,8 @@ TEST_F(Brought, StiffnessesThatTiesChangeAreTold) {
                parameters +
                "\" }\nreference = { file = \"displacements.csv\" }\n[[problem.loads.cases]]\nname = \"pull\"\n"
                "supports = [{ edge = \"bottom\" }]\nforces = [{ near = [0, 4], force = [0, -1] }]\n")
-        ->scene()
-        .findings;
+        ->account()
+        .findings();
   };
   EXPECT_EQ(findings("each"), std::vector<std::string>{});
   EXPECT_EQ(

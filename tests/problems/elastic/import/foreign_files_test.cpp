@@ -15,6 +15,10 @@
 namespace nodal::elastic {
 namespace {
 
+// What the selections of the studies' load take, which is told of every load.
+constexpr const char* kTakes =
+    "load 'load': support of nodes [1]: 1 node; support of nodes [2]: 1 node; force on nodes [3]: 1 node";
+
 class ForeignFiles : public StudyFiles {
  protected:
   ForeignFiles() {
@@ -44,7 +48,7 @@ class ForeignFiles : public StudyFiles {
     ASSERT_EQ(refusal(problem), "(nothing was thrown)") << what;
     EXPECT_NEAR(relative_error(problem), 0.371315, 5e-7) << what;
   }
-  std::vector<std::string> remarks(const std::string& problem) { return read(problem)->net().remarks; }
+  std::vector<std::string> remarks(const std::string& problem) { return read(problem)->account().remarks(); }
 };
 
 TEST_F(ForeignFiles, NodesAreReadWhereTheyAreUnambiguous) {
@@ -77,7 +81,7 @@ TEST_F(ForeignFiles, ColumnsCanBeNamedAndTheOthersAreSaidToBeLeftOut) {
   const std::string named = study("", "", ", columns = { x = \"x\", y = \"y\", ux = \"ux\", uy = \"uy\" }");
   expect_the_triangle(named, "of a measurement");
   EXPECT_EQ(remarks(named),
-            (std::vector<std::string>{"disp.csv: columns d, true_strain_xx, true_strain_yy are left out"}));
+            (std::vector<std::string>{kTakes, "disp.csv: columns d, true_strain_xx, true_strain_yy are left out"}));
 
   write("disp.csv", "node,ux,uy\n3,0.1,-0.2\n");
   write("nodes.csv", "id,x [m],y [m]\n1,0,0\n2,4,0\n3,2,3\n");
@@ -196,7 +200,7 @@ TEST_F(ForeignFiles, JsonIsReadByItsKeys) {
     write("s.json", text);
     expect_the_triangle(json_study(), text);
   }
-  EXPECT_EQ(remarks(json_study()), (std::vector<std::string>{"s.json: z, 7 everywhere, is left out"}));
+  EXPECT_EQ(remarks(json_study()), (std::vector<std::string>{"s.json: z, 7 everywhere, is left out", kTakes}));
 }
 
 TEST_F(ForeignFiles, JsonGroupsTieSprings) {

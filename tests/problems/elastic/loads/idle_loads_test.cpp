@@ -27,7 +27,7 @@ TEST_F(IdleLoads, AreSolvedAndNoted) {
   const std::vector<std::string> expected = {
       "nothing moves in load 'push': what pulls acts only where supports hold, and they bear all of it (force on nodes "
       "[1]: 1 node; force on nodes [2]: 1 node); all displacements and spring forces are 0"};
-  EXPECT_EQ(problem->scene().findings, expected);
+  EXPECT_EQ(problem->account().findings(), expected);
   const std::vector<std::string> remarks = problem->remarks();
   EXPECT_EQ(std::ranges::count(remarks, expected.front()), 1);
   const State state = problem->solve(problem->start_stiffness());
@@ -74,10 +74,10 @@ TEST_F(IdleLoads, OfPartsAreNoted) {
   const auto part =
       read(study("forces = [{ nodes = [3], force = [0, -1] }, { nodes = [2], force = [0, -5] }]\n", true));
   EXPECT_EQ(
-      part->scene().findings,
+      part->account().findings(),
       (std::vector<std::string>{"load 'push': force on nodes [2]: 1 node, but only where supports hold: they bear "
                                 "all of it, and nothing moves by it"}));
-  EXPECT_TRUE(read(study("forces = [{ nodes = [2], force = [1, -5] }]\n", true))->scene().findings.empty());
+  EXPECT_TRUE(read(study("forces = [{ nodes = [2], force = [1, -5] }]\n", true))->account().findings().empty());
 }
 
 }  // namespace

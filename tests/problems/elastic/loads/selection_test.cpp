@@ -144,7 +144,7 @@ TEST_F(WrittenNodes, OfSixDecimalsAreOnACircleAllRound) {
       EXPECT_NEAR(inwards, i % 2 == 0 ? 4.2612 : 3.3528, 2e-4) << format << ", node " << i;
     }
     EXPECT_PRED2(says, text_of(*problem), "pressure on edge outline: 32 nodes, 32 pieces of the outline");
-    EXPECT_TRUE(problem->scene().findings.empty());
+    EXPECT_TRUE(problem->account().findings().empty());
   }
 }
 
@@ -154,10 +154,10 @@ TEST_F(WrittenNodes, AreTakenWithinWhatAStudySays) {
   const char* hold = "supports = [{ edge = \"side-1\" }]\nforces = [{ nodes = [0], force = [-0.1, 0.0] }]\n";
   const auto strict = trapezoid(hold, ", on_outline = 1e-9");
   EXPECT_EQ(held_nodes(*strict), (std::vector<std::size_t>{3, 15}));
-  ASSERT_EQ(strict->scene().findings.size(), 1u);
-  EXPECT_PRED2(says, strict->scene().findings[0],
+  ASSERT_EQ(strict->account().findings().size(), 1u);
+  EXPECT_PRED2(says, strict->account().findings()[0],
                "2 nodes are within 0.001 of the body's size of the outline but not on it: 7, 11;");
-  EXPECT_PRED2(says, text_of(*strict), strict->scene().findings[0]);
+  EXPECT_PRED2(says, text_of(*strict), strict->account().findings()[0]);
   EXPECT_PRED2(says, text_of(*strict), "load 'pull': support of edge side-1: 2 nodes; force on nodes [0]: 1 node");
   write_trapezoid("{:.3g}");
   EXPECT_EQ(held_nodes(*trapezoid(hold, ", on_outline = 1e-3")), (std::vector<std::size_t>{3, 7, 11, 15}));

@@ -149,7 +149,6 @@ class Copy {
       for (std::size_t& node : outline) node = node_[node];
     for (Triangle& triangle : net.triangles)
       for (std::size_t& node : triangle) node = node_[node];
-    net.cells.clear();
     for (std::size_t e = 0; e < spring_.size(); ++e) {
       const auto [i, j] = std::minmax(node_[from.springs[e].first], node_[from.springs[e].second]);
       net.springs[spring_[e]] = make_spring(net.nodes, i, j);

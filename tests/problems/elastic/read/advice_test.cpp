@@ -14,23 +14,25 @@ namespace {
 TEST_F(SmallSystem, OfPlateLoadsAreChosenByTheBody) {
   const auto rectangle = read("points = { counts = [4, 4] }\n");
   EXPECT_EQ(rectangle->scene().loads.groups.size(), 4u);
-  EXPECT_EQ(rectangle->scene().supports_choice, "supports = \"edge\"");
+  EXPECT_EQ(rectangle->details().at("supports").text(), "supports = \"edge\"");
   const auto disc = read(
       "body = { shape = \"disc\", radius = 1 }\npoints = { spacing = 0.2 }\nsprings = { topology = "
       "\"nearest\", nearest = 8 }\n");
   EXPECT_EQ(disc->scene().loads.groups.size(), 1u);
-  EXPECT_EQ(disc->scene().supports_choice,
+  EXPECT_EQ(disc->details().at("supports").text(),
             "supports = \"minimal\": the body has no straight edges on its left and lower side, as \"edge\" holds");
-  EXPECT_EQ(read("points = { counts = [4, 4] }\nloads = { supports = \"edge\" }\n")->scene().supports_choice, "");
+  EXPECT_EQ(read("points = { counts = [4, 4] }\nloads = { supports = \"edge\" }\n")->details().find("supports"),
+            nullptr);
 }
 
 // The paper's own plate starts as the paper says; elsewhere k = E t L/4 is off by a length, which a factor takes away.
 TEST_F(SmallSystem, StartsAreScaledOffThePapersPlate) {
-  EXPECT_EQ(read("points = { counts = [5, 5] }\n")->scene().initial_rule, "paper");
-  EXPECT_EQ(read("body = { size = [6, 2] }\npoints = { counts = [7, 3] }\n")->scene().initial_rule, "paper");
+  const auto rule = [](const ElasticProblem& problem) { return problem.account().detail_of("initial stiffness"); };
+  EXPECT_EQ(rule(*read("points = { counts = [5, 5] }\n")), "paper");
+  EXPECT_EQ(rule(*read("body = { size = [6, 2] }\npoints = { counts = [7, 3] }\n")), "paper");
   const auto small = read("body = { size = [0.04, 0.04] }\n");
   const auto large = read("body = { size = [400, 400] }\n");
-  EXPECT_PRED2(says, small->scene().initial_rule, "paper, scaled by its best single factor ");
+  EXPECT_PRED2(says, rule(*small), "paper, scaled by its best single factor ");
   for (std::size_t e = 0; e < small->net().springs.size(); ++e)
     EXPECT_NEAR(small->scene().initial_stiffness[e], large->scene().initial_stiffness[e], 1e-12);
   EXPECT_NEAR(small->scene().initial_stiffness[0],

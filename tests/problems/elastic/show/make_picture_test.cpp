@@ -19,8 +19,8 @@ Scene plate_scene() {
   return scene;
 }
 
-Picture start_of(Scene scene) {
-  const ElasticProblem problem(std::move(scene));
+Picture start_of(Scene scene, Account account = {}) {
+  const ElasticProblem problem(std::move(scene), std::move(account));
   const std::optional<Picture> plate = make_picture(problem, problem.space().start(), "plate", "start");
   return plate.value();
 }
@@ -28,14 +28,15 @@ Picture start_of(Scene scene) {
 TEST(Plates, AreTheProblemsNetAndLoads) {
   Scene scene = plate_scene();
   scene.net.masses.assign(scene.net.nodes.size(), 0.25);
-  scene.net.cells.assign(scene.net.nodes.size(), {{{0.0, 0.0}, {1.0, 0.0}, {0.0, 1.0}}});
-  const Picture plate = start_of(scene);
+  Account account;
+  account.regions.assign(scene.net.nodes.size(), {{{0.0, 0.0}, {1.0, 0.0}, {0.0, 1.0}}});
+  const Picture plate = start_of(scene, account);
   EXPECT_EQ(plate.columns, 4u);
   EXPECT_EQ(plate.nodes, in_plane(scene.net.nodes));
   EXPECT_EQ(plate.rings, scene.net.body.rings);
   EXPECT_EQ(plate.border, scene.net.outlines);
   EXPECT_EQ(plate.masses, scene.net.masses);
-  EXPECT_EQ(plate.cells, scene.net.cells);
+  EXPECT_EQ(plate.cells, account.regions);
   EXPECT_EQ(plate.kinds[0], NodeKind::corner);
   EXPECT_EQ(plate.kinds[1], NodeKind::border);
   EXPECT_EQ(plate.kinds[5], NodeKind::inner);

@@ -125,7 +125,7 @@ TEST(EnergyStart, SatisfiesTheOptimalityConditions) {
 TEST(Start, OfARuleIsMovedInsideTheBounds) {
   const auto plate = make_plate({.bounds = "[0.3, 10.0]"});
   EXPECT_TRUE(plate->space().contains(plate->space().start()));
-  EXPECT_EQ(plate->remarks().at(1), "the start of 40 of 72 coordinates was outside the bounds and moved just inside");
+  EXPECT_EQ(plate->remarks().back(), "the start of 40 of 72 coordinates was outside the bounds and moved just inside");
 }
 
 // ── stiffness files

@@ -15,6 +15,7 @@
 #include <string>
 #include <vector>
 
+#include <nodal/elastic/account.h>
 #include <nodal/elastic/loads.h>
 #include <nodal/elastic/parameters.h>
 #include <nodal/problem.h>
@@ -42,23 +43,21 @@ struct Scene {
   ParameterRule parameter_rule;
   std::vector<double> initial_stiffness;  ///< [springs], before tying and before moving inside the bounds
   std::array<double, 2> stiffness_bounds = {0.0, std::numeric_limits<double>::infinity()};  ///< N/m
-  std::string bounds_origin;       ///< who chose them, for `explain`
-  bool has_reference = true;       ///< false: only to be solved, there is nothing to compare displacements with
-  std::string fit_refusal;         ///< why it can be evaluated, but not fitted; empty ordinarily
-  std::string initial_rule;        ///< for `explain`
-  std::string solver = "auto";     ///< auto | lanes | simplicial | supernodal
-  double stress = 1.0;             ///< of the plate loads
-  Value masses;                    ///< how well the net's masses have the body's moments; an empty table without masses
-  std::string measured_reference;  ///< where the reference comes from, for `explain`; empty for the closed form
+  bool has_reference = true;    ///< false: only to be solved, there is nothing to compare displacements with
+  std::string fit_refusal;      ///< why it can be evaluated, but not fitted; empty ordinarily
+  std::string solver = "auto";  ///< auto | lanes | simplicial | supernodal
   MovesOptions moves = {};
-  std::string supports_choice = {};          ///< of the plate's loads where a study doesn't say, for `explain`
-  std::vector<std::string> selections = {};  ///< a line per load of a study's own: how many nodes selections took
-  std::vector<std::string> findings = {};    ///< what may be wrong with the scene, to be told with every result
 
   /// Of squared differences at a node's free freedoms.
   [[nodiscard]] double weight_of(std::size_t node) const {
     return net.on_corner(node) ? weights.corner : net.on_border(node) ? weights.border : weights.inner;
   }
+};
+
+/// A scene, and what those who made it say of it.
+struct MadeScene {
+  Scene scene;
+  Account account;
 };
 
 /// The equilibrium of one load at given stiffnesses.
@@ -83,7 +82,8 @@ struct State {
 class ElasticProblem final : public Problem {
  public:
   /// InputError when there is a reference, and it is zero everywhere. std::invalid_argument for shapes that don't fit.
-  explicit ElasticProblem(Scene scene);
+  explicit ElasticProblem(Scene scene, Account account = {});
+  explicit ElasticProblem(MadeScene made) : ElasticProblem(std::move(made.scene), std::move(made.account)) {}
   ~ElasticProblem() override;
 
   [[nodiscard]] const Space& space() const override;
@@ -95,8 +95,7 @@ class ElasticProblem final : public Problem {
   [[nodiscard]] std::vector<Stage> stages() const override;
   [[nodiscard]] std::vector<std::string> remarks() const override;
   [[nodiscard]] std::string fit_refusal() const override;
-  /// "voronoi": the iterations that spread the points; "masses": how well they have the body's moments; "supports":
-  /// those of the plate's loads where the study doesn't say; "selections" and "findings" of the scene.
+  /// The account's data, and "findings".
   [[nodiscard]] Value details() const override;
   /// Its values are the stiffnesses of the springs.
   [[nodiscard]] const Exhibit* exhibit() const override;
@@ -104,6 +103,8 @@ class ElasticProblem final : public Problem {
   [[nodiscard]] const Scene& scene() const noexcept;
   [[nodiscard]] const Net& net() const noexcept { return scene().net; }
   [[nodiscard]] const Parameters& parameters() const noexcept;
+  /// What its makers said of it.
+  [[nodiscard]] const Account& account() const noexcept;
   /// [springs] at a point of the space.
   [[nodiscard]] std::vector<double> stiffness(std::span<const double> x) const;
   /// [springs] as the study starts: tied, but where its own files say them, whatever the bounds. A start that a rule
@@ -120,6 +121,6 @@ class ElasticProblem final : public Problem {
 /// The options of `kind = "elastic"` (docs/config_reference.md); the defaults are the 25-node plate.
 [[nodiscard]] OptionSchema elastic_schema();
 /// Builds the scene that options describe. InputError with the source of the value at fault.
-[[nodiscard]] Scene make_scene(const Options& options, const ProblemContext& context);
+[[nodiscard]] MadeScene make_scene(const Options& options, const ProblemContext& context);
 
 }  // namespace nodal::elastic

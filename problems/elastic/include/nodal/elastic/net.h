@@ -38,22 +38,6 @@ struct Grid {
 
 using Triangle = std::array<std::size_t, 3>;
 
-/// The least energy of regions per point in the plane (Fejes Tóth): that of regular hexagons, 5/(36√3).
-inline constexpr double kHexagonalEnergy = 0.080187537387448;
-
-/// One line of the record of iterated Voronoi regions (paper, Figure 2); iteration 0 is the start. Deviations are
-/// relative to the mean. Energies are E n'/(2 A ∫ρ), where n' counts a point by the share of a full turn about it that
-/// lies in the body: regular hexagons all over it have kHexagonalEnergy, squares 1/12.
-struct VoronoiStep {
-  std::size_t iteration = 0;
-  double distance_deviation = 0.0;  ///< standard deviation of neighbours' distances
-  double area_deviation = 0.0;      ///< of regions' areas
-  double energy = 0.0;              ///< of E = Σ_i ∫ ρ |x − p_i|² dA over the regions; never rises
-  double inner_energy = 0.0;        ///< of the regions that don't meet the outline; 0 of none
-  double area_error = 0.0;          ///< |sum of the regions' areas − A| / A
-  double largest_move = 0.0;        ///< that led here, in even spacings
-};
-
 /// A piece of the border of a body in space, between neighbouring nodes.
 struct Facet {
   std::array<std::size_t, 4> nodes{};  ///< around it
@@ -70,7 +54,7 @@ struct Net {
   std::size_t dimension = 2;
   Body body;
   Grid grid;
-  std::string topology;
+  std::string topology;  ///< what joined the nodes: "crossed", "nearest 6"; rules to start by ask for it
   std::vector<Vector> nodes;
   std::vector<Spring> springs;
   std::vector<Triangle> triangles;                 ///< counterclockwise, where springs are the sides of triangles
@@ -79,12 +63,8 @@ struct Net {
   std::vector<Facet> border;                       ///< in space: pieces of the body's surface
   std::vector<Tetrahedron> tetrahedra;             ///< in space: what springs are the edges of
 
-  std::vector<double> masses;            ///< [nodes], kg; empty where nothing needs masses
-  std::vector<std::vector<Ring>> cells;  ///< [nodes]: the rings of each Voronoi region in the body; empty without any
-  std::string layout;                    ///< how nodes were placed, in a phrase: "grid of 5 × 5 nodes"
-  std::vector<VoronoiStep> history;      ///< of iterated Voronoi regions; empty without
-  std::vector<std::string> remarks;      ///< what was mended, dropped or found on the way here
-  std::vector<std::int64_t> ids;         ///< [nodes]: what a file of the user's calls them; empty for 0, 1, 2, …
+  std::vector<double> masses;     ///< [nodes], kg; empty where nothing needs masses
+  std::vector<std::int64_t> ids;  ///< [nodes]: what a file of the user's calls them; empty for 0, 1, 2, …
 
   [[nodiscard]] Freedoms freedoms() const noexcept { return {dimension, nodes.size()}; }
   /// What people call a node.

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+/// What the makers of a system say about their work while they do it: told to people, and never read back by a result.
+///
+/// `nodal explain` prints the stages and all lines, a store keeps the data, and findings come with every result.
+/// Threads  a plain value.
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <nodal/elastic/point.h>
+#include <nodal/problem.h>
+#include <nodal/value.h>
+
+namespace nodal::elastic {
+
+class Account {
+ public:
+  /// A stage that was used; one that is told of again is told anew, in its place.
+  void used(std::string_view stage, std::string detail);
+  /// A stage that wasn't, and why. Nothing where it was used.
+  void left_out(std::string_view stage, std::string why);
+  /// What was mended, dropped or found on the way.
+  void remark(std::string line);
+  /// A remark that may mean that something is wrong: it is told with every result, too.
+  void finding(std::string line);
+
+  [[nodiscard]] const std::vector<Stage>& stages() const noexcept { return stages_; }
+  [[nodiscard]] const std::vector<std::string>& remarks() const noexcept { return remarks_; }
+  [[nodiscard]] const std::vector<std::string>& findings() const noexcept { return findings_; }
+  /// Of the stage, if it was used; empty otherwise.
+  [[nodiscard]] std::string detail_of(std::string_view stage) const;
+
+  Value data = {};  ///< a table, for the report: "voronoi", "masses", "supports", "selections" where there are such
+  std::vector<std::vector<Ring>> regions = {};  ///< [nodes] of each Voronoi region in the body, to be drawn; or empty
+
+ private:
+  [[nodiscard]] Stage* find(std::string_view stage);
+
+  std::vector<Stage> stages_;
+  std::vector<std::string> remarks_, findings_;
+};
+
+/// What stages are called that are told of in two places, where they are used and where they are left out.
+inline constexpr std::string_view kVoronoiStage = "iterated Voronoi regions";
+inline constexpr std::string_view kTriangulationStage = "Delaunay triangulation";
+
+}  // namespace nodal::elastic
