@@ -124,6 +124,24 @@ TEST(ElasticHouse, FoldersAreFloors) {
   }
 }
 
+TEST(ElasticHouse, GeometryIsInTheNamespaceOfItsDimension) {
+  const std::regex opening("^namespace (nodal[a-z:]*) \\{");
+  std::map<std::string, std::set<std::string>> namespaces;  // that a file opens
+  for (const Line& line : all_lines()) {
+    std::smatch match;
+    if (std::regex_search(line.text, match, opening)) namespaces[line.file].insert(match[1]);
+  }
+  for (const std::string dimension : {"plane", "space"}) {
+    int files = 0;
+    for (const auto& [file, opened] : namespaces) {
+      if (folder_of(file) != "geometry/" + dimension) continue;
+      ++files;
+      EXPECT_EQ(opened, std::set<std::string>{"nodal::elastic::" + dimension}) << file;
+    }
+    EXPECT_GT(files, 0) << dimension;
+  }
+}
+
 TEST(ElasticHouse, DimensionsAreToldApartInFewPlaces) {
   const std::regex comparison("imension(\\(\\))?\\s*(==|!=|<|>)\\s*[23]");
   std::map<std::string, int> found;

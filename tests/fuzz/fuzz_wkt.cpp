@@ -7,6 +7,6 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   return nodal::fuzz::read(data, size, [](std::string_view text) {
     nodal::elastic::FileOutline outline = nodal::elastic::parse_wkt(text, "f.wkt");
-    (void)nodal::elastic::checked_body(std::move(outline.rings), "f", 1.0, 0.5, outline.source);
+    (void)nodal::elastic::plane::checked_body(std::move(outline.rings), "f", 1.0, 0.5, outline.source);
   });
 }

@@ -15,24 +15,24 @@ namespace {
 using namespace elastic;
 
 Body square_with_hole() {
-  Body body = rectangle_body({0, 0}, {4, 4});
+  Body body = plane::rectangle_body({0, 0}, {4, 4});
   body.rings.push_back({{1, 1}, {1, 2}, {2, 2}, {2, 1}});
   return body;
 }
 
-void run(benchmark::State& state, const Body& body, const Density& density) {
+void run(benchmark::State& state, const Body& body, const plane::Density& density) {
   if (!triangulation_available()) {
     state.SkipWithError("Voronoi diagrams need CGAL");
     return;
   }
   const auto count = static_cast<std::size_t>(state.range(0)), iterations = static_cast<std::size_t>(state.range(1));
-  const Outline outline(body);
+  const plane::Outline outline(body);
   RandomStream random(1);
-  const PlacedPoints start = make_random_points(outline, share_points(outline, count), random);
+  const plane::PlacedPoints start = plane::make_random_points(outline, plane::share_points(outline, count), random);
   double seconds = 0.0;
   for (auto _ : state) {
     const double begin = processor_seconds();
-    benchmark::DoNotOptimize(iterate_voronoi(outline, start, {.iterations = iterations, .density = density}));
+    benchmark::DoNotOptimize(plane::iterate_voronoi(outline, start, {.iterations = iterations, .density = density}));
     seconds += processor_seconds() - begin;
   }
   const double each = seconds / static_cast<double>(state.iterations()) / static_cast<double>(iterations + 1);
@@ -49,10 +49,10 @@ BENCHMARK(voronoi_hole)
     ->Args({100000, 5})
     ->Unit(benchmark::kMillisecond);
 
-void voronoi_disc(benchmark::State& state) { run(state, disc_body({0, 0}, 1.0, 2000), {}); }
+void voronoi_disc(benchmark::State& state) { run(state, plane::disc_body({0, 0}, 1.0, 2000), {}); }
 BENCHMARK(voronoi_disc)->ArgNames({"points", "iterations"})->Args({10000, 50})->Unit(benchmark::kMillisecond);
 
-void voronoi_density(benchmark::State& state) { run(state, square_with_hole(), Density({{{3, 3}, 1.0, 10.0}})); }
+void voronoi_density(benchmark::State& state) { run(state, square_with_hole(), plane::Density({{{3, 3}, 1.0, 10.0}})); }
 BENCHMARK(voronoi_density)->ArgNames({"points", "iterations"})->Args({10000, 50})->Unit(benchmark::kMillisecond);
 
 }  // namespace

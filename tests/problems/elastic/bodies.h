@@ -16,7 +16,7 @@ inline Body ell() { return {.name = "ell", .rings = {{{0, 0}, {3, 0}, {3, 2}, {2
 
 /// The square [0, 4]² with the hole [1, 2]².
 inline Body frame() {
-  Body body = rectangle_body({0, 0}, {4, 4});
+  Body body = plane::rectangle_body({0, 0}, {4, 4});
   body.rings.push_back({{1, 1}, {1, 2}, {2, 2}, {2, 1}});
   return body;
 }
@@ -29,7 +29,7 @@ inline Body random_star(RandomStream& random) {
   const double least = random.uniform(0.1, 0.95);
   const bool hole = random.index(2) == 0;
   Body body;
-  Ring outside, inside;
+  plane::Ring outside, inside;
   for (std::size_t i = 0; i < n; ++i) {
     // Within a third of a sector, so that no sector is as wide as half a turn.
     const double angle =

@@ -17,17 +17,17 @@ Extent extent_of(const std::vector<Vector>& positions) {
   return extent;
 }
 
-std::vector<Point> in_plane(const std::vector<Vector>& positions) {
-  std::vector<Point> points;
+std::vector<plane::Point> in_plane(const std::vector<Vector>& positions) {
+  std::vector<plane::Point> points;
   points.reserve(positions.size());
   for (const Vector& p : positions) points.push_back(in_plane(p));
   return points;
 }
 
-std::vector<Vector> lifted(const std::vector<Point>& points) {
+std::vector<Vector> lifted(const std::vector<plane::Point>& points) {
   std::vector<Vector> positions;
   positions.reserve(points.size());
-  for (const Point& p : points) positions.push_back(lifted(p));
+  for (const plane::Point& p : points) positions.push_back(lifted(p));
   return positions;
 }
 

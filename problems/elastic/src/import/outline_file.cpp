@@ -7,14 +7,14 @@
 
 #include <nodal/file.h>
 
-#include "geometry/plane/ring_closing.h"
+#include "import/ring_closing.h"
 
 namespace nodal::elastic {
 
-void require_closed(const Ring& ring, std::size_t number, const Source& source) {
+void require_closed(const plane::Ring& ring, std::size_t number, const Source& source) {
   const std::string name = number == 0 ? "the outline" : fmt::format("hole {}", number);
   if (ring.empty()) throw InputError(source, name + " has no points; leave it out or give at least 3");
-  const Point &first = ring.front(), &last = ring.back();
+  const plane::Point &first = ring.front(), &last = ring.back();
   if (first != last)
     throw InputError(source, fmt::format("{} is open: it begins at ({}, {}) and ends at ({}, {}); repeat the first "
                                          "point at the end",

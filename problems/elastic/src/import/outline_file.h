@@ -25,7 +25,7 @@ namespace nodal::elastic {
 
 /// Rings as they stand in a file, the closing point included, and where they begin; checked_body takes them.
 struct FileOutline {
-  std::vector<Ring> rings;
+  std::vector<plane::Ring> rings;
   Source source;
   std::vector<std::string> remarks = {};  ///< what was left out
 };

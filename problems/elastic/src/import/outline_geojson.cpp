@@ -7,8 +7,8 @@
 #include <nodal/shown.h>
 #include <nodal/value.h>
 
-#include "geometry/plane/ring_closing.h"
 #include "import/outline_file.h"
+#include "import/ring_closing.h"
 #include "import/same_height.h"
 
 namespace nodal::elastic {
@@ -76,7 +76,7 @@ const Value& rings_of(const Value& object) {
 }
 
 // One position: x, y and perhaps z.
-Point point_of(const Value& position, SameHeight& heights) {
+plane::Point point_of(const Value& position, SameHeight& heights) {
   const bool numbers =
       position.is_list() && std::ranges::all_of(position.list(), [](const Value& x) { return x.is_number(); });
   const std::size_t size = numbers ? position.list().size() : 0;
@@ -98,7 +98,7 @@ FileOutline parse_geojson(std::string_view text, const std::string& name) {
   for (const Value& positions : rings.list()) {
     if (!positions.is_list())
       throw InputError(positions.source, "a Polygon's coordinates must be rings: [[[x, y], …], …]");
-    Ring ring;
+    plane::Ring ring;
     for (const Value& position : positions.list()) ring.push_back(point_of(position, heights));
     require_closed(ring, outline.rings.size(), positions.source);
     outline.rings.push_back(std::move(ring));

@@ -8,8 +8,8 @@
 
 #include <nodal/shown.h>
 
-#include "geometry/plane/ring_closing.h"
 #include "import/outline_file.h"
+#include "import/ring_closing.h"
 #include "import/same_height.h"
 
 namespace nodal::elastic {
@@ -149,17 +149,17 @@ class WktReader {
   void read_polygon() {
     require("(");
     do {
-      Ring ring = read_ring();
+      plane::Ring ring = read_ring();
       require_closed(ring, outline_.rings.size(), ring_source_);
       outline_.rings.push_back(std::move(ring));
     } while (take(","));
     require(")");
   }
 
-  Ring read_ring() {
+  plane::Ring read_ring() {
     ring_source_ = here();
     require("(");
-    Ring ring;
+    plane::Ring ring;
     if (take(")")) return ring;
     do {
       const double x = read_number();

@@ -39,7 +39,7 @@ Entries<NodeEntry> read_node_entries(InputFiles& files, const std::filesystem::p
                        {{"node"}, {"x", true}, {"y", true}, {"z"}, {"mass"}}, options.columns);
   for (std::size_t i = 0; i < table.size(); ++i) {
     const CsvRow row = table.row(i);
-    const Point at = {row.required_number("x"), row.required_number("y")};
+    const plane::Point at = {row.required_number("x"), row.required_number("y")};
     NodeEntry entry{row.source(), std::nullopt, at, row.number("z"), row.number("mass")};
     if (table.has("node")) entry.id = row.required_integer("node");
     entries.list.push_back(std::move(entry));

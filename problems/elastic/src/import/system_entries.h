@@ -21,7 +21,7 @@ namespace nodal::elastic {
 struct NodeEntry {
   Source source;
   std::optional<std::int64_t> id;
-  Point at = {0.0, 0.0};  ///< in the file's unit, as all lengths here
+  plane::Point at = {0.0, 0.0};  ///< in the file's unit, as all lengths here
   std::optional<double> z, mass;
 };
 

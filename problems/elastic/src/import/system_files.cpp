@@ -46,7 +46,7 @@ void refuse_coincident(const std::vector<NodeEntry>& entries, double size,
   std::ranges::sort(order, {}, [&](std::size_t i) { return entries[i].at; });
   for (std::size_t a = 0; a < order.size(); ++a)
     for (std::size_t b = a + 1; b < order.size(); ++b) {
-      const Point &p = entries[order[a]].at, &q = entries[order[b]].at;
+      const plane::Point &p = entries[order[a]].at, &q = entries[order[b]].at;
       if (q[0] - p[0] > kSamePlace * size) break;
       if (std::abs(q[1] - p[1]) > kSamePlace * size) continue;
       const std::size_t later = std::max(order[a], order[b]), earlier = std::min(order[a], order[b]);
@@ -88,7 +88,7 @@ void read_node_file(InputFiles& files, const std::filesystem::path& path, Net& n
     if (entry.id.has_value() != named)
       throw InputError(entry.source,
                        "some nodes have a name (\"node\") and others don't; give it everywhere or nowhere");
-    const Point at = {entry.at[0] * options.scale, entry.at[1] * options.scale};
+    const plane::Point at = {entry.at[0] * options.scale, entry.at[1] * options.scale};
     if (!std::isfinite(at[0]) || !std::isfinite(at[1])) throw InputError(entry.source, "the position is not finite");
     if (named && !known.emplace(*entry.id, net.nodes.size()).second)
       throw InputError(entry.source, fmt::format("node {} stands twice", *entry.id));

@@ -27,9 +27,9 @@ void add_stress(const Net& net, const OutlinePiece& piece, const Stress& stress,
 
 std::vector<std::size_t> box_side_nodes(const Net& net, std::size_t axis, End end) {
   if (!net.body.has_outline()) return {};
-  const Box box = bounding_box(net.body.rings[0]);
+  const plane::Box box = plane::bounding_box(net.body.rings[0]);
   const double position = end == End::low ? box.low[axis] : box.high[axis];
-  const double tolerance = outline_tolerance(net.body);
+  const double tolerance = plane::outline_tolerance(net.body);
   std::vector<std::size_t> nodes;
   for (const std::size_t i : net.outlines.at(0))
     if (std::abs(net.nodes[i][axis] - position) <= tolerance) nodes.push_back(i);

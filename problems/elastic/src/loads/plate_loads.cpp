@@ -35,7 +35,7 @@ class PlateLoads {
                                   r == 0 ? "the outline" : fmt::format("hole {}", r),
                                   net.outlines[r].empty() ? "no node" : "only 1 node"));
     if (!net.body.has_outline()) throw Refusal("the plate loads need a body with an outline to pull at");
-    box_ = bounding_box(net.body.rings[0]);
+    box_ = plane::bounding_box(net.body.rings[0]);
   }
 
   LoadSet edge_supported() const {
@@ -126,7 +126,7 @@ class PlateLoads {
   // The nodes that hold rigid motions: lowest, leftmost of those; and farthest from it in x, lowest of those. Nodes on
   // one edge, twice the tolerance apart at most, count as equally low and as equally far.
   std::pair<std::size_t, std::size_t> held_pair() const {
-    const double edge = std::max(tie(), 2.0 * outline_tolerance(net_.body));
+    const double edge = std::max(tie(), 2.0 * plane::outline_tolerance(net_.body));
     const auto x = [&](std::size_t i) { return net_.nodes[i][kX]; };
     const auto y = [&](std::size_t i) { return net_.nodes[i][kY]; };
     const std::size_t pin = least_by(all_least_by(net_.outlines[0], edge, y), tie(), x);
@@ -156,7 +156,7 @@ class PlateLoads {
   const Net& net_;
   const Material& material_;
   double stress_;
-  Box box_;
+  plane::Box box_;
 };
 
 }  // namespace

@@ -55,12 +55,12 @@ std::optional<std::size_t> number_after(const std::string& name, std::string_vie
 
 // The nodes of ring 0 on one of its straight sides, by the number that the user knows it by.
 Nodes on_side(const Net& net, std::size_t number) {
-  const Ring& ring = net.body.rings[0];
+  const plane::Ring& ring = net.body.rings[0];
   const std::size_t side = net.body.side(0, number);
-  const double tolerance = outline_tolerance(net.body);
+  const double tolerance = plane::outline_tolerance(net.body);
   Nodes nodes;
   for (const std::size_t i : net.outlines[0])
-    if (distance_to_segment(in_plane(net.nodes[i]), ring[side], ring[(side + 1) % ring.size()]) <= tolerance)
+    if (plane::distance_to_segment(in_plane(net.nodes[i]), ring[side], ring[(side + 1) % ring.size()]) <= tolerance)
       nodes.push_back(i);
   return nodes;
 }

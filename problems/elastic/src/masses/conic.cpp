@@ -40,7 +40,7 @@ std::string conic(std::span<const double, 6> q) {
 
 }  // namespace
 
-std::string describe_curve(std::span<const double, 6> given, const Point& middle, const Point& scale) {
+std::string describe_curve(std::span<const double, 6> given, const plane::Point& middle, const plane::Point& scale) {
   std::array<double, 6> q{};
   const double largest = std::abs(*std::ranges::max_element(given, {}, [](double v) { return std::abs(v); }));
   for (std::size_t k = 0; k < 6; ++k) q[k] = std::abs(given[k]) < kZero * largest ? 0.0 : given[k] / largest;

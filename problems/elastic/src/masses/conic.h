@@ -16,6 +16,7 @@ inline constexpr std::array<std::array<int, 2>, 6> kMonomialPowers = {{{0, 0}, {
 
 /// "all nodes lie on two rows, y = 0 and y = 1". q has six coefficients, the largest about 1; what is below 1e-7 counts
 /// as zero. ξ = (x − middle[0])/scale[0], η likewise.
-[[nodiscard]] std::string describe_curve(std::span<const double, 6> q, const Point& middle, const Point& scale);
+[[nodiscard]] std::string describe_curve(std::span<const double, 6> q, const plane::Point& middle,
+                                         const plane::Point& scale);
 
 }  // namespace nodal::elastic

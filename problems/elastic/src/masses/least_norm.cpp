@@ -3,7 +3,7 @@
 
 namespace nodal::elastic {
 
-Masses least_norm_masses(const std::vector<Point>& points, const MassTarget& target) {
+Masses least_norm_masses(const std::vector<plane::Point>& points, const MassTarget& target) {
   const MomentSystem system(points, target);
   // m = U Σ⁻¹ Vᵀ p is of least norm, and so is every correction; two of them bring the last digits. Moments that the
   // nodes' others determine give way to those, so that mass and first moments are the body's wherever they can be.

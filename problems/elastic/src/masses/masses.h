@@ -26,8 +26,8 @@ namespace nodal::elastic {
 /// the body (second moments about a far one have lost the digits that matter). Regions of other density: add their
 /// moments about the same origin.
 struct MassTarget {
-  Moments moments;
-  Point origin = {0.0, 0.0};
+  plane::Moments moments;
+  plane::Point origin = {0.0, 0.0};
 };
 
 /// Of a body of one density, about the middle of its box.
@@ -61,11 +61,11 @@ struct FailingCondition {
 /// nodes. ξ = (x − middle[0])/scale[0], η likewise.
 struct MassCertificate {
   std::array<double, 6> coefficients = {};
-  Point middle = {0.0, 0.0}, scale = {1.0, 1.0};
+  plane::Point middle = {0.0, 0.0}, scale = {1.0, 1.0};
   double lowest_on_nodes = 0.0;  ///< of q
   double sum = 0.0;              ///< of (m − lower) q by the body's moments, relative to its mass: negative
 
-  [[nodiscard]] double at(const Point& point) const;
+  [[nodiscard]] double at(const plane::Point& point) const;
 };
 
 struct Masses {
@@ -86,7 +86,7 @@ struct Masses {
 /// Masses may be zero or negative. Singular values below 1e-9 of the largest (the nodes' places aren't known better,
 /// kPlaceRounding; more when they lie far from the origin) count as zero.
 /// Refusal for no points, values that are not finite, or a body without mass.
-[[nodiscard]] Masses least_norm_masses(const std::vector<Point>& points, const MassTarget& target);
+[[nodiscard]] Masses least_norm_masses(const std::vector<plane::Point>& points, const MassTarget& target);
 
 /// Share of a node's Voronoi mass that the positive form leaves it at least. A mass of a hundredth makes the stable
 /// time step of a simulation at most ten times shorter.
@@ -98,7 +98,7 @@ inline constexpr double kSmallestMassShare = 0.01;
 /// line searches. Before that a nonnegative least-squares problem (Lawson, Hanson 1974, ch. 23) decides whether any
 /// such masses exist: its residual is the certificate where they don't, and is verified before it is returned. As
 /// above, and std::invalid_argument for Voronoi masses of another number or negative, or a share outside [0, 1].
-[[nodiscard]] Masses positive_masses(const std::vector<Point>& points, const MassTarget& target,
+[[nodiscard]] Masses positive_masses(const std::vector<plane::Point>& points, const MassTarget& target,
                                      std::span<const double> voronoi_masses, double share = kSmallestMassShare);
 
 }  // namespace nodal::elastic

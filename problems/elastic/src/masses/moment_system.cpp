@@ -20,11 +20,11 @@ namespace {
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 constexpr std::array<const char*, 6> kNames = {"∫1", "∫x", "∫y", "∫x²", "∫xy", "∫y²"};
 
-void check(const std::vector<Point>& points, const MassTarget& target) {
+void check(const std::vector<plane::Point>& points, const MassTarget& target) {
   if (points.empty()) throw Refusal("masses need nodes");
   double sum = 0.0;
-  for (const Point& p : points) sum += std::abs(p[0]) + std::abs(p[1]);
-  const Moments& m = target.moments;
+  for (const plane::Point& p : points) sum += std::abs(p[0]) + std::abs(p[1]);
+  const plane::Moments& m = target.moments;
   sum += std::abs(m.first[0]) + std::abs(m.first[1]) + std::abs(m.xx) + std::abs(m.xy) + std::abs(m.yy);
   if (!std::isfinite(sum) || !std::isfinite(target.origin[0] + target.origin[1]))
     throw Refusal("masses need finite nodes and moments");
@@ -32,14 +32,14 @@ void check(const std::vector<Point>& points, const MassTarget& target) {
 }
 
 // The half extents of the nodes' box; a box without width or height takes the other's, a single node 1.
-Point half_extents(const Box& box) {
+plane::Point half_extents(const plane::Box& box) {
   const double other = box.size() > 0.0 ? 0.5 * box.size() : 1.0;
   return {box.width() > 0.0 ? 0.5 * box.width() : other, box.height() > 0.0 ? 0.5 * box.height() : other};
 }
 
 // The target about the nodes' middle, in scaled coordinates and relative to the mass.
-Eigen::VectorXd scaled_target(const MassTarget& target, const Point& middle, const Point& scale) {
-  const Moments& m = target.moments;
+Eigen::VectorXd scaled_target(const MassTarget& target, const plane::Point& middle, const plane::Point& scale) {
+  const plane::Moments& m = target.moments;
   const double mass = m.area, x = m.first[0] / mass, y = m.first[1] / mass;
   const double dx = target.origin[0] - middle[0], dy = target.origin[1] - middle[1];
   Eigen::VectorXd p(6);
@@ -50,15 +50,15 @@ Eigen::VectorXd scaled_target(const MassTarget& target, const Point& middle, con
 }
 
 // What the places' own rounding can make of a singular value that is zero, relative to the largest one.
-double rank_tolerance(const std::vector<Point>& points, const Point& scale) {
+double rank_tolerance(const std::vector<plane::Point>& points, const plane::Point& scale) {
   double farthest = 0.0;
-  for (const Point& p : points) farthest = std::max({farthest, std::abs(p[0]), std::abs(p[1])});
+  for (const plane::Point& p : points) farthest = std::max({farthest, std::abs(p[0]), std::abs(p[1])});
   return kPlaceRounding + 4.0 * kEpsilon * farthest / std::min(scale[0], scale[1]);
 }
 
 }  // namespace
 
-double MassCertificate::at(const Point& point) const {
+double MassCertificate::at(const plane::Point& point) const {
   const double x = (point[0] - middle[0]) / scale[0], y = (point[1] - middle[1]) / scale[1];
   const auto& c = coefficients;
   return c[0] + c[1] * x + c[2] * y + c[3] * x * x + c[4] * x * y + c[5] * y * y;
@@ -68,17 +68,17 @@ double Masses::largest_error() const { return std::ranges::max_element(moments, 
 
 MassTarget mass_target(const Body& body, double density) {
   if (!body.has_outline()) throw Refusal("a body without an outline has no mass");
-  const Box box = bounding_box(body.rings[0]);
+  const plane::Box box = plane::bounding_box(body.rings[0]);
   MassTarget target;
   target.origin = {0.5 * (box.low[0] + box.high[0]), 0.5 * (box.low[1] + box.high[1])};
-  Moments& m = target.moments = moments(body.rings, target.origin);
+  plane::Moments& m = target.moments = plane::moments(body.rings, target.origin);
   for (double* value : {&m.area, &m.first[0], &m.first[1], &m.xx, &m.xy, &m.yy}) *value *= density * body.thickness;
   return target;
 }
 
-MomentSystem::MomentSystem(const std::vector<Point>& points, const MassTarget& wanted) {
+MomentSystem::MomentSystem(const std::vector<plane::Point>& points, const MassTarget& wanted) {
   check(points, wanted);
-  const Box box = bounding_box(points);
+  const plane::Box box = plane::bounding_box(points);
   mass = wanted.moments.area;
   middle = {box.low[0] + 0.5 * box.width(), box.low[1] + 0.5 * box.height()};
   scale = half_extents(box);
@@ -87,7 +87,7 @@ MomentSystem::MomentSystem(const std::vector<Point>& points, const MassTarget& w
   const auto n = static_cast<Eigen::Index>(points.size());
   rows.resize(6, n);
   for (Eigen::Index i = 0; i < n; ++i) {
-    const Point& point = points[static_cast<std::size_t>(i)];
+    const plane::Point& point = points[static_cast<std::size_t>(i)];
     const double x = (point[0] - middle[0]) / scale[0], y = (point[1] - middle[1]) / scale[1];
     rows.col(i) << 1.0, x, y, x * x, x * y, y * y;
   }

@@ -14,10 +14,10 @@ namespace nodal::elastic {
 
 class MomentSystem {
  public:
-  MomentSystem(const std::vector<Point>& points, const MassTarget& target);
+  MomentSystem(const std::vector<plane::Point>& points, const MassTarget& target);
 
   double mass = 0.0;             ///< of the body; masses below are shares of it
-  Point middle, scale;           ///< of the nodes' box: its centre and half extents
+  plane::Point middle, scale;    ///< of the nodes' box: its centre and half extents
   Eigen::MatrixXd rows;          ///< A: 6 × n
   Eigen::VectorXd target;        ///< p: 6
   std::size_t rank = 0;          ///< r

@@ -111,7 +111,7 @@ Eigen::VectorXd relative(std::span<const double> masses, double whole, std::size
 
 }  // namespace
 
-Masses positive_masses(const std::vector<Point>& points, const MassTarget& target,
+Masses positive_masses(const std::vector<plane::Point>& points, const MassTarget& target,
                        std::span<const double> voronoi_masses, double share) {
   if (!(share >= 0.0 && share <= 1.0)) throw std::invalid_argument("a share of masses must be from 0 to 1");
   const MomentSystem system(points, target);

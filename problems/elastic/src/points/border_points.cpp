@@ -9,7 +9,7 @@
 
 #include <nodal/error.h>
 
-namespace nodal::elastic {
+namespace nodal::elastic::plane {
 
 namespace {
 
@@ -125,4 +125,4 @@ PlacedPoints make_border_points(const Outline& outline, const std::vector<std::s
   return made;
 }
 
-}  // namespace nodal::elastic
+}  // namespace nodal::elastic::plane

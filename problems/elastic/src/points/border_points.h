@@ -13,7 +13,7 @@
 
 #include "points/placement.h"
 
-namespace nodal::elastic {
+namespace nodal::elastic::plane {
 
 enum class BorderSpread {
   evenly,     ///< equal gaps along each chain; on a closed chain from arc 0
@@ -35,4 +35,4 @@ enum class BorderSpread {
 [[nodiscard]] PlacedPoints make_border_points(const Outline& outline, const std::vector<std::size_t>& gaps,
                                               BorderSpread spread, RandomStream& random);
 
-}  // namespace nodal::elastic
+}  // namespace nodal::elastic::plane

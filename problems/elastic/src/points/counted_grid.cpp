@@ -12,9 +12,9 @@ namespace nodal::elastic {
 namespace {
 
 // The upright rectangle that a body is, as lower left and size.
-std::pair<Point, Point> rectangle_of(const Body& body) {
+std::pair<plane::Point, plane::Point> rectangle_of(const Body& body) {
   if (body.rings.size() == 1 && body.rings[0].size() == 4) {
-    const Ring& r = body.rings[0];
+    const plane::Ring& r = body.rings[0];
     if (r[0][1] == r[1][1] && r[1][0] == r[2][0] && r[2][1] == r[3][1] && r[3][0] == r[0][0] && r[0][0] < r[1][0] &&
         r[1][1] < r[2][1])
       return {r[0], {r[1][0] - r[0][0], r[2][1] - r[1][1]}};

@@ -53,29 +53,29 @@ LaidNodes read_counted_grid(const Options& points, const LayoutRequest& request)
 }
 
 // Exactly the grid's nodes for springs between neighbours; for others the outline gets nodes too.
-LaidNodes read_clipped_grid(const LayoutRequest& request, GridCells cells) {
+LaidNodes read_clipped_grid(const LayoutRequest& request, plane::GridCells cells) {
   const Options points = request.problem.table("points");
   refuse_both(points, "spacing", "cell");
   refuse_both(points, "counts", points.has("spacing") ? "spacing" : "cell");
-  Point cell{};
+  plane::Point cell{};
   if (points.has("cell"))
     cell = {points.numbers("cell")[0], points.numbers("cell")[1]};
   else
     cell = {points.number("spacing"), points.number("spacing")};
-  const Outline outline(request.body);
+  const plane::Outline outline(request.body);
   LaidNodes laid;
   if (request.neighbours_only) {
-    GridPoints grid = make_exact_grid(outline, cell, cells);
+    plane::GridPoints grid = plane::make_exact_grid(outline, cell, cells);
     laid = lay(request.body, grid.points.points);
     laid.clipped = std::move(grid);
   } else {
-    laid = lay(request.body, make_fitted_grid(outline, cell, cells).points);
+    laid = lay(request.body, plane::make_fitted_grid(outline, cell, cells).points);
   }
   const char* form = request.neighbours_only ? "clipped to the body" : "inside the body, and nodes along its outline";
   request.account.used("points",
                        fmt::format("{} nodes: a {} grid, {}", laid.net.nodes.size(),
-                                   cells == GridCells::triangular ? fmt::format("triangular {} m", cell[0])
-                                                                  : fmt::format("{} m × {} m", cell[0], cell[1]),
+                                   cells == plane::GridCells::triangular ? fmt::format("triangular {} m", cell[0])
+                                                                         : fmt::format("{} m × {} m", cell[0], cell[1]),
                                    form));
   return laid;
 }
@@ -84,13 +84,13 @@ LaidNodes make_grid(const LayoutRequest& request) {
   const Options points = request.problem.table("points");
   if (request.body.box) return read_block(points, request);
   const bool clipped = points.has("spacing") || points.has("cell");
-  return clipped ? read_clipped_grid(request, GridCells::rectangular) : read_counted_grid(points, request);
+  return clipped ? read_clipped_grid(request, plane::GridCells::rectangular) : read_counted_grid(points, request);
 }
 
 LaidNodes make_triangular_grid(const LayoutRequest& request) {
   if (!request.problem.table("points").has("spacing"))
     throw Refusal("layout 'triangular' needs a spacing: points = { layout = \"triangular\", spacing = 0.5 }");
-  return read_clipped_grid(request, GridCells::triangular);
+  return read_clipped_grid(request, plane::GridCells::triangular);
 }
 
 }  // namespace

@@ -11,7 +11,7 @@
 
 #include "points/border_points.h"
 
-namespace nodal::elastic {
+namespace nodal::elastic::plane {
 
 namespace {
 
@@ -183,4 +183,4 @@ std::vector<Triangle> grid_triangles(const Outline& outline, const GridPoints& g
   return triangles;
 }
 
-}  // namespace nodal::elastic
+}  // namespace nodal::elastic::plane

@@ -16,7 +16,7 @@
 
 #include "points/placement.h"
 
-namespace nodal::elastic {
+namespace nodal::elastic::plane {
 
 enum class GridCells { rectangular, triangular };
 
@@ -52,4 +52,4 @@ struct GridPoints {
 [[nodiscard]] std::vector<Triangle> grid_triangles(const Outline& outline, const GridPoints& grid,
                                                    const std::vector<std::array<std::size_t, 2>>& springs);
 
-}  // namespace nodal::elastic
+}  // namespace nodal::elastic::plane

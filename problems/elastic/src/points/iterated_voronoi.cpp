@@ -10,7 +10,7 @@
 #include "geometry/plane/segment.h"
 #include "geometry/plane/voronoi_cells.h"
 
-namespace nodal::elastic {
+namespace nodal::elastic::plane {
 
 namespace {
 
@@ -211,4 +211,4 @@ IteratedVoronoi iterate_voronoi(const Outline& outline, PlacedPoints start, cons
   return lloyd.finish(std::move(history));
 }
 
-}  // namespace nodal::elastic
+}  // namespace nodal::elastic::plane

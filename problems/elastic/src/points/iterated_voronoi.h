@@ -24,7 +24,7 @@
 #include "geometry/plane/density.h"
 #include "points/placement.h"
 
-namespace nodal::elastic {
+namespace nodal::elastic::plane {
 
 /// The least energy of regions per point in the plane (Fejes Tóth): that of regular hexagons, 5/(36√3).
 inline constexpr double kHexagonalEnergy = 0.080187537387448;
@@ -57,4 +57,4 @@ struct IteratedVoronoi {
 [[nodiscard]] IteratedVoronoi iterate_voronoi(const Outline& outline, PlacedPoints start,
                                               const VoronoiOptions& options = {});
 
-}  // namespace nodal::elastic
+}  // namespace nodal::elastic::plane

@@ -34,7 +34,8 @@ struct LayoutRequest {
 /// Nodes on a body, with their places on its border, not joined yet.
 struct LaidNodes {
   Net net;
-  std::optional<GridPoints> clipped = {};  ///< the rows and columns of a grid clipped to the body, where it is exact
+  std::optional<plane::GridPoints> clipped =
+      {};  ///< the rows and columns of a grid clipped to the body, where it is exact
 };
 
 struct Layout {
@@ -58,6 +59,6 @@ extern const Layout kFileLayout;        // import/file_layout.cpp
 [[nodiscard]] Table<Layout> layouts();
 
 /// Nodes of the plane with their places on the body's outline.
-[[nodiscard]] LaidNodes lay(const Body& body, const std::vector<Point>& nodes);
+[[nodiscard]] LaidNodes lay(const Body& body, const std::vector<plane::Point>& nodes);
 
 }  // namespace nodal::elastic

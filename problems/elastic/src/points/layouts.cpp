@@ -11,7 +11,7 @@ Table<Layout> layouts() {
   return kLayouts;
 }
 
-LaidNodes lay(const Body& body, const std::vector<Point>& nodes) {
+LaidNodes lay(const Body& body, const std::vector<plane::Point>& nodes) {
   LaidNodes laid;
   laid.net.body = body;
   laid.net.nodes = lifted(nodes);

@@ -7,7 +7,7 @@
 
 #include <nodal/error.h>
 
-namespace nodal::elastic {
+namespace nodal::elastic::plane {
 
 Placement find_place(const Outline& outline, const Point& point) {
   if (outline.distance(point, 2.0 * outline.tolerance()) > outline.tolerance()) return {};
@@ -34,4 +34,4 @@ PlacedPoints place_points(const Outline& outline, std::vector<Point> points) {
   return placed;
 }
 
-}  // namespace nodal::elastic
+}  // namespace nodal::elastic::plane

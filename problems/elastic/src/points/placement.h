@@ -13,7 +13,7 @@
 
 #include "geometry/plane/outline.h"
 
-namespace nodal::elastic {
+namespace nodal::elastic::plane {
 
 /// Border points know their chain and the arc on its ring; a corner's chain is the one that begins there.
 struct Placement {
@@ -41,4 +41,4 @@ struct PlacedPoints {
 /// The places of given points. Refusal for one outside of the body, naming it.
 [[nodiscard]] PlacedPoints place_points(const Outline& outline, std::vector<Point> points);
 
-}  // namespace nodal::elastic
+}  // namespace nodal::elastic::plane

@@ -10,7 +10,7 @@
 
 #include "geometry/plane/area_sampler.h"
 
-namespace nodal::elastic {
+namespace nodal::elastic::plane {
 
 namespace {
 
@@ -72,4 +72,4 @@ PlacedPoints make_random_points(const Outline& outline, const RandomPointsOption
   return made;
 }
 
-}  // namespace nodal::elastic
+}  // namespace nodal::elastic::plane

@@ -14,7 +14,7 @@
 #include "points/border_points.h"
 #include "points/placement.h"
 
-namespace nodal::elastic {
+namespace nodal::elastic::plane {
 
 struct RandomPointsOptions {
   std::size_t inner = 0;   ///< points inside
@@ -33,4 +33,4 @@ struct RandomPointsOptions {
 [[nodiscard]] PlacedPoints make_random_points(const Outline& outline, const RandomPointsOptions& options,
                                               RandomStream& random);
 
-}  // namespace nodal::elastic
+}  // namespace nodal::elastic::plane

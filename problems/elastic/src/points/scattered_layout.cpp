@@ -18,31 +18,31 @@ namespace nodal::elastic {
 
 namespace {
 
-Density read_density(const Options& points) {
-  std::vector<DensitySpot> spots;
+plane::Density read_density(const Options& points) {
+  std::vector<plane::DensitySpot> spots;
   if (points.has("density"))
     for (const Options& spot : points.tables("density")) {
       const std::vector<double> at = spot.numbers("at");
       spots.push_back({{at[0], at[1]}, spot.number("radius"), spot.number("factor")});
     }
-  return Density(std::move(spots));
+  return plane::Density(std::move(spots));
 }
 
 std::size_t count_of(const Options& points, const char* key) { return static_cast<std::size_t>(points.integer(key)); }
 
 // The border of the least total of which that many are inner ones: as dense on the outline as inside. The more points,
 // the more are inner ones, so the total is bisected for: a needle takes thousands of points around few.
-std::size_t border_as_dense(const Outline& outline, std::size_t inner) {
-  std::size_t low = inner + least_border_points(outline);
+std::size_t border_as_dense(const plane::Outline& outline, std::size_t inner) {
+  std::size_t low = inner + plane::least_border_points(outline);
   std::size_t high = std::max(low, static_cast<std::size_t>(kMostNodes));
-  if (share_points(outline, high).inner < inner)
+  if (plane::share_points(outline, high).inner < inner)
     throw Refusal(fmt::format(
         "{} inner nodes, and as dense on an outline as long as this one, are more than {} nodes; say how many with "
         "'border'",
         inner, kMostNodes));
   while (low < high) {
     const std::size_t middle = low + (high - low) / 2;
-    if (share_points(outline, middle).inner < inner)
+    if (plane::share_points(outline, middle).inner < inner)
       low = middle + 1;
     else
       high = middle;
@@ -50,11 +50,11 @@ std::size_t border_as_dense(const Outline& outline, std::size_t inner) {
   return low - inner;
 }
 
-RandomPointsOptions read_numbers(const Options& points, std::string_view layout, const Outline& outline) {
+plane::RandomPointsOptions read_numbers(const Options& points, std::string_view layout, const plane::Outline& outline) {
   refuse_both(points, "total", "inner");
   if (points.has("total")) {
     refuse_both(points, "total", "border");
-    return share_points(outline, count_of(points, "total"));
+    return plane::share_points(outline, count_of(points, "total"));
   }
   if (!points.has("inner"))
     throw InputError(points.values().source,
@@ -68,27 +68,27 @@ RandomPointsOptions read_numbers(const Options& points, std::string_view layout,
 
 // Where points fall, and how many in words.
 struct Scattered {
-  RandomPointsOptions options;
-  PlacedPoints placed;
+  plane::RandomPointsOptions options;
+  plane::PlacedPoints placed;
   std::string counted;
 };
 
-Scattered scatter(const Options& points, std::string_view layout, const Outline& outline) {
+Scattered scatter(const Options& points, std::string_view layout, const plane::Outline& outline) {
   Scattered made;
   made.options = read_numbers(points, layout, outline);
   const bool at_random = points.has("border_spread") && points.text("border_spread") == "at-random";
-  made.options.spread = at_random ? BorderSpread::at_random : BorderSpread::evenly;
+  made.options.spread = at_random ? plane::BorderSpread::at_random : plane::BorderSpread::evenly;
   made.options.density = read_density(points);
   const std::int64_t seed = points.has("seed") ? points.integer("seed") : 1;
   RandomStream random(hash64(fmt::format("points {}", seed)));
-  made.placed = make_random_points(outline, made.options, random);
+  made.placed = plane::make_random_points(outline, made.options, random);
   made.counted = fmt::format("{} inner and {} border nodes, random with seed {}", made.options.inner,
                              made.placed.size() - made.options.inner, seed);
   return made;
 }
 
 LaidNodes make_random(const LayoutRequest& request) {
-  const Outline outline(request.body);
+  const plane::Outline outline(request.body);
   const Scattered made = scatter(request.problem.table("points"), "random", outline);
   LaidNodes laid = lay(request.body, made.placed.points);
   request.account.used("points", made.counted);
@@ -99,13 +99,13 @@ LaidNodes make_voronoi(const LayoutRequest& request) {
   const Options points = request.problem.table("points");
   if (!triangulation_available())
     throw InputError(points.at("layout").source, fmt::format("layout 'voronoi' needs {}", triangulation_library()));
-  const Outline outline(request.body);
+  const plane::Outline outline(request.body);
   Scattered made = scatter(points, "voronoi", outline);
-  VoronoiOptions voronoi;
+  plane::VoronoiOptions voronoi;
   if (points.has("iterations")) voronoi.iterations = count_of(points, "iterations");
   if (points.has("tolerance")) voronoi.tolerance = points.number("tolerance");
   voronoi.density = made.options.density;
-  IteratedVoronoi result = iterate_voronoi(outline, std::move(made.placed), voronoi);
+  plane::IteratedVoronoi result = plane::iterate_voronoi(outline, std::move(made.placed), voronoi);
   LaidNodes laid = lay(request.body, result.points.points);
   request.account.used(
       "points", fmt::format("{}, then {} iterations of Voronoi regions", made.counted, result.history.size() - 1));

@@ -9,7 +9,7 @@ namespace nodal::elastic {
 
 namespace {
 
-Value line_of(const VoronoiStep& step) {
+Value line_of(const plane::VoronoiStep& step) {
   Value line;
   line.set("iteration", Value(static_cast<std::int64_t>(step.iteration)));
   line.set("distance_deviation", step.distance_deviation);
@@ -23,15 +23,15 @@ Value line_of(const VoronoiStep& step) {
 
 }  // namespace
 
-void tell_of_iterations(const std::vector<VoronoiStep>& history, Account& account) {
-  const VoronoiStep &first = history.front(), &last = history.back();
+void tell_of_iterations(const std::vector<plane::VoronoiStep>& history, Account& account) {
+  const plane::VoronoiStep &first = history.front(), &last = history.back();
   account.used(kVoronoiStage,
                fmt::format("{} iterations: deviation of neighbours' distances {:.3g} → {:.3g}, of areas {:.3g} → "
                            "{:.3g}, energy {:.4g} → {:.4g} (hexagons: {:.4f})",
                            last.iteration, first.distance_deviation, last.distance_deviation, first.area_deviation,
-                           last.area_deviation, first.energy, last.energy, kHexagonalEnergy));
+                           last.area_deviation, first.energy, last.energy, plane::kHexagonalEnergy));
   Value::List lines;
-  for (const VoronoiStep& step : history) lines.push_back(line_of(step));
+  for (const plane::VoronoiStep& step : history) lines.push_back(line_of(step));
   account.data.set("voronoi", Value(std::move(lines)));
 }
 

@@ -10,6 +10,6 @@
 namespace nodal::elastic {
 
 /// How evenly the iterations spread the points: the stage, and "voronoi" of the account's data, a line per iteration.
-void tell_of_iterations(const std::vector<VoronoiStep>& history, Account& account);
+void tell_of_iterations(const std::vector<plane::VoronoiStep>& history, Account& account);
 
 }  // namespace nodal::elastic

@@ -32,10 +32,10 @@ Digits digits_of(double x) {
 
 }  // namespace
 
-double rounding_of(const std::vector<Point>& points) {
+double rounding_of(const std::vector<plane::Point>& points) {
   Digits most;
   bool any = false;
-  for (const Point& p : points)
+  for (const plane::Point& p : points)
     for (const double x : p) {
       if (x == 0.0 || !std::isfinite(x)) continue;
       const Digits digits = digits_of(x);
@@ -49,17 +49,17 @@ double rounding_of(const std::vector<Point>& points) {
 std::vector<std::size_t> nodes_beside_outline(const Net& net) {
   std::vector<std::size_t> beside;
   if (!net.body.has_outline()) return beside;
-  const Outline outline(net.body);
+  const plane::Outline outline(net.body);
   const double near = kNearOutline * outline.box().size();
   for (std::size_t i = 0; i < net.nodes.size(); ++i)
     if (!net.on_border(i) && outline.distance(in_plane(net.nodes[i]), 2.0 * near) <= near) beside.push_back(i);
   return beside;
 }
 
-double on_outline_as_written(const std::vector<Point>& nodes, const Body& body) {
+double on_outline_as_written(const std::vector<plane::Point>& nodes, const Body& body) {
   constexpr double kMost = 10.0 * kOnOutline;
   if (!body.has_outline()) return kOnOutline;
-  return std::clamp(rounding_of(nodes) / bounding_box(body.rings[0]).size(), kOnOutline, kMost);
+  return std::clamp(rounding_of(nodes) / plane::bounding_box(body.rings[0]).size(), kOnOutline, kMost);
 }
 
 }  // namespace nodal::elastic

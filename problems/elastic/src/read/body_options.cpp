@@ -78,7 +78,7 @@ std::vector<double> numbers_of(const Options& body, const char* key, std::size_t
   return numbers;
 }
 
-Point point_or(const Options& body, const char* key, const Point& otherwise) {
+plane::Point point_or(const Options& body, const char* key, const plane::Point& otherwise) {
   if (!body.has(key)) return otherwise;
   const std::vector<double> numbers = numbers_of(body, key, 2, "rectangle");
   return {numbers[0], numbers[1]};
@@ -94,10 +94,10 @@ double number_or(const Options& body, const char* key, double otherwise) {
   return body.has(key) ? body.number(key) : otherwise;
 }
 
-void scale_rings(const Options& body, std::vector<Ring>& rings) {
+void scale_rings(const Options& body, std::vector<plane::Ring>& rings) {
   const double scale = number_or(body, "scale", 1.0);
-  for (Ring& ring : rings)
-    for (Point& p : ring) p = {p[0] * scale, p[1] * scale};
+  for (plane::Ring& ring : rings)
+    for (plane::Point& p : ring) p = {p[0] * scale, p[1] * scale};
 }
 
 double radians(double degrees) { return degrees / 180.0 * std::numbers::pi; }
@@ -105,13 +105,13 @@ double radians(double degrees) { return degrees / 180.0 * std::numbers::pi; }
 // The shapes that sizes alone define. Refusal for sizes that make none.
 Body sized_body(const Options& body, const std::string& shape) {
   if (shape == "rectangle")
-    return rectangle_body(point_or(body, "corner", {0.0, 0.0}), point_or(body, "size", {4.0, 4.0}));
-  const Point centre = point_or(body, "centre", {0.0, 0.0});
+    return plane::rectangle_body(point_or(body, "corner", {0.0, 0.0}), point_or(body, "size", {4.0, 4.0}));
+  const plane::Point centre = point_or(body, "centre", {0.0, 0.0});
   const double radius = body.number("radius");
   const auto sides = static_cast<std::size_t>(body.has("sides") ? body.integer("sides") : kDefaultSides);
-  if (shape == "disc") return disc_body(centre, radius, sides);
-  if (shape == "ring") return ring_body(centre, radius, body.number("inner_radius"), sides);
-  return regular_body(centre, radius, sides, radians(number_or(body, "turn", 0.0)));
+  if (shape == "disc") return plane::disc_body(centre, radius, sides);
+  if (shape == "ring") return plane::ring_body(centre, radius, body.number("inner_radius"), sides);
+  return plane::regular_body(centre, radius, sides, radians(number_or(body, "turn", 0.0)));
 }
 
 // The key that a size which makes no shape is blamed on.
@@ -222,8 +222,8 @@ std::string shape_of(const Options& body, const std::string& default_shape) {
   return default_shape;
 }
 
-Ring ring_of(const std::vector<std::vector<double>>& vertices) {
-  Ring ring;
+plane::Ring ring_of(const std::vector<std::vector<double>>& vertices) {
+  plane::Ring ring;
   for (const std::vector<double>& vertex : vertices) ring.push_back({vertex[0], vertex[1]});
   return ring;
 }
@@ -236,7 +236,7 @@ Body read_rings(const Options& body, const ProblemContext& context, const std::s
       if (body.has(key) && body.number(key) != otherwise)
         throw InputError(body.at(key).source, fmt::format("'{}' belongs to bodies in the plane, not to a box", key));
     return at(body.at("size").source,
-              [&] { return box_body(vector_or(body, "corner", {}), vector_or(body, "size", {})); });
+              [&] { return space::box_body(vector_or(body, "corner", {}), vector_or(body, "size", {})); });
   }
   const double thickness = body.number("thickness"), corner_turn = radians(body.number("corner_turn"));
   if (shape == "none") return {.name = "none", .rings = {}, .thickness = thickness, .corner_turn = corner_turn};
@@ -245,17 +245,17 @@ Body read_rings(const Options& body, const ProblemContext& context, const std::s
     FileOutline outline = read_outline_file(context.files, context.files.path(file));
     scale_rings(body, outline.rings);
     Body read =
-        checked_body(std::move(outline.rings), file.filename().string(), thickness, corner_turn, outline.source);
+        plane::checked_body(std::move(outline.rings), file.filename().string(), thickness, corner_turn, outline.source);
     read.remarks.insert(read.remarks.begin(), outline.remarks.begin(), outline.remarks.end());
     return read;
   }
   if (shape == "polygon") {
-    std::vector<Ring> rings = {ring_of(body.vectors("outline"))};
+    std::vector<plane::Ring> rings = {ring_of(body.vectors("outline"))};
     if (body.has("holes"))
       for (const auto& hole : body.vector_lists("holes")) rings.push_back(ring_of(hole));
     scale_rings(body, rings);
     const std::size_t holes = rings.size() - 1;
-    Body polygon = checked_body(std::move(rings), "polygon", thickness, corner_turn, body.at("outline").source);
+    Body polygon = plane::checked_body(std::move(rings), "polygon", thickness, corner_turn, body.at("outline").source);
     polygon.name = fmt::format("polygon of {} sides", polygon.rings[0].size());
     if (holes > 0) polygon.name += fmt::format(" with {} hole{}", holes, holes == 1 ? "" : "s");
     return polygon;
@@ -263,7 +263,7 @@ Body read_rings(const Options& body, const ProblemContext& context, const std::s
   const Source source = source_of_sizes(body, shape);
   return at(source, [&] {
     Body sized = sized_body(body, shape);
-    return checked_body(std::move(sized.rings), std::move(sized.name), thickness, corner_turn, source);
+    return plane::checked_body(std::move(sized.rings), std::move(sized.name), thickness, corner_turn, source);
   });
 }
 

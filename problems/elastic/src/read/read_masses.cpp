@@ -17,11 +17,11 @@ constexpr double kDensity = 1.0;  // [kg/m³]
 
 // Mass of each node's Voronoi region; the regions are kept for pictures.
 std::vector<double> region_masses(double density, const Net& net, Account& account) {
-  const Outline outline(net.body);
-  VoronoiCells cells(outline, {});
+  const plane::Outline outline(net.body);
+  plane::VoronoiCells cells(outline, {});
   cells.compute(in_plane(net.nodes));
   std::vector<double> masses;
-  for (const CellSums& cell : cells.cells()) masses.push_back(density * net.body.thickness * cell.area);
+  for (const plane::CellSums& cell : cells.cells()) masses.push_back(density * net.body.thickness * cell.area);
   if (account.regions.empty())
     for (std::size_t i = 0; i < net.nodes.size(); ++i) account.regions.push_back(cells.rings(i));
   return masses;

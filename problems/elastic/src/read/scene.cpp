@@ -109,9 +109,9 @@ void tell_of_outline(const Options& points, const Net& net, Account& account) {
   if (!net.body.has_outline() || !(of_file || points.has("spacing") || points.has("cell"))) return;
   if (of_file) {
     const auto of = [&](NodeKind kind) { return std::ranges::count(net.kinds, kind); };
-    account.remark(
-        fmt::format("nodes within {:.3g} m of the outline are on it: {} on sides and {} at corners, {} inside",
-                    outline_tolerance(net.body), of(NodeKind::border), of(NodeKind::corner), of(NodeKind::inner)));
+    account.remark(fmt::format(
+        "nodes within {:.3g} m of the outline are on it: {} on sides and {} at corners, {} inside",
+        plane::outline_tolerance(net.body), of(NodeKind::border), of(NodeKind::corner), of(NodeKind::inner)));
   }
   const std::vector<std::size_t> beside = nodes_beside_outline(net);
   if (beside.empty()) return;

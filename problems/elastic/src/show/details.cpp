@@ -17,12 +17,12 @@ std::optional<double> number_of(const Value& table, std::string_view key, double
 }
 
 // A line without one of the three curves can't be drawn.
-std::optional<VoronoiStep> step_of(const Value& line) {
+std::optional<plane::VoronoiStep> step_of(const Value& line) {
   if (!line.is_table()) return std::nullopt;
   const auto iteration = number_of(line, "iteration", kLargestCount), distance = number_of(line, "distance_deviation"),
              area = number_of(line, "area_deviation"), energy = number_of(line, "energy");
   if (!iteration || *iteration < 0.0 || !distance || !area || !energy) return std::nullopt;
-  VoronoiStep step;
+  plane::VoronoiStep step;
   step.iteration = static_cast<std::size_t>(*iteration);
   step.distance_deviation = *distance;
   step.area_deviation = *area;

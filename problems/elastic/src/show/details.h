@@ -27,7 +27,7 @@ struct MassDetails {
 };
 
 struct SystemDetails {
-  std::vector<VoronoiStep> iterations;  ///< empty without iterated Voronoi regions
+  std::vector<plane::VoronoiStep> iterations;  ///< empty without iterated Voronoi regions
   std::optional<MassDetails> masses;
 };
 

@@ -16,9 +16,9 @@ namespace {
 
 // More points than a chart can show only make the page large. Early iterations change most: all of them stay, of later
 // ones evenly many for each doubling, and the last.
-std::vector<VoronoiStep> thinned(const std::vector<VoronoiStep>& all) {
+std::vector<plane::VoronoiStep> thinned(const std::vector<plane::VoronoiStep>& all) {
   constexpr double kRatio = 1.02;
-  std::vector<VoronoiStep> kept;
+  std::vector<plane::VoronoiStep> kept;
   double next = 0.0;
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (static_cast<double>(i) < next && i + 1 < all.size()) continue;
@@ -28,31 +28,31 @@ std::vector<VoronoiStep> thinned(const std::vector<VoronoiStep>& all) {
   return kept;
 }
 
-Value column(const std::vector<VoronoiStep>& steps, double (*get)(const VoronoiStep&)) {
+Value column(const std::vector<plane::VoronoiStep>& steps, double (*get)(const plane::VoronoiStep&)) {
   Value::List numbers;
-  for (const VoronoiStep& step : steps) numbers.push_back(rounded(get(step), 5));
+  for (const plane::VoronoiStep& step : steps) numbers.push_back(rounded(get(step), 5));
   return numbers;
 }
 
-double relative_energy(const VoronoiStep& step) { return step.energy / kHexagonalEnergy; }
-double relative_inner_energy(const VoronoiStep& step) { return step.inner_energy / kHexagonalEnergy; }
+double relative_energy(const plane::VoronoiStep& step) { return step.energy / plane::kHexagonalEnergy; }
+double relative_inner_energy(const plane::VoronoiStep& step) { return step.inner_energy / plane::kHexagonalEnergy; }
 
-Value chart_value(const std::vector<VoronoiStep>& all) {
-  const std::vector<VoronoiStep> steps = thinned(all);
+Value chart_value(const std::vector<plane::VoronoiStep>& all) {
+  const std::vector<plane::VoronoiStep> steps = thinned(all);
   Value value;
   Value::List iterations;
-  for (const VoronoiStep& step : steps) iterations.push_back(Value(static_cast<std::int64_t>(step.iteration)));
+  for (const plane::VoronoiStep& step : steps) iterations.push_back(Value(static_cast<std::int64_t>(step.iteration)));
   value.set("iteration", std::move(iterations));
-  value.set("distances", column(steps, [](const VoronoiStep& s) { return s.distance_deviation; }));
-  value.set("areas", column(steps, [](const VoronoiStep& s) { return s.area_deviation; }));
+  value.set("distances", column(steps, [](const plane::VoronoiStep& s) { return s.distance_deviation; }));
+  value.set("areas", column(steps, [](const plane::VoronoiStep& s) { return s.area_deviation; }));
   value.set("energy", column(steps, relative_energy));
   // Of no regions that don't meet the outline it is 0, and there is no curve.
-  if (std::ranges::all_of(steps, [](const VoronoiStep& s) { return s.inner_energy > 0.0; }))
+  if (std::ranges::all_of(steps, [](const plane::VoronoiStep& s) { return s.inner_energy > 0.0; }))
     value.set("innerEnergy", column(steps, relative_inner_energy));
   return value;
 }
 
-std::string not_iterated(const VoronoiStep& start) {
+std::string not_iterated(const plane::VoronoiStep& start) {
   return fmt::format(
       "<p>Not iterated: distances between neighbours deviate by {} of their mean, the areas of the points' Voronoi "
       "regions by {} (standard deviations). Their energy is {} times that of regular hexagons.</p>\n",
@@ -60,7 +60,7 @@ std::string not_iterated(const VoronoiStep& start) {
       figure_text(relative_energy(start), 3));
 }
 
-std::string iterated(const VoronoiStep& start, const VoronoiStep& end) {
+std::string iterated(const plane::VoronoiStep& start, const plane::VoronoiStep& end) {
   return fmt::format(
       "<p>In {} {} points moved to the centroids of their Voronoi regions, those on the border along it. The standard "
       "deviation of the distances between neighbours went from {} to {} of their mean, that of the regions&#39; areas "
@@ -76,7 +76,7 @@ constexpr const char* kEnergyConvention =
     "area A: a point inside counts 1, one on the border by the share of a full turn about it that lies in the body. So "
     "nets of any size compare: regular hexagons all over the body have 5/(36√3) and are drawn as 1, squares as 1.04.";
 
-std::string iterations_html(const std::vector<VoronoiStep>& steps) {
+std::string iterations_html(const std::vector<plane::VoronoiStep>& steps) {
   if (steps.empty()) return {};
   std::string text = "<h3>How even the points are</h3>\n";
   if (steps.size() == 1) return text + not_iterated(steps.front());

@@ -32,7 +32,7 @@ struct Moved {
 Moved move_nodes(const Mechanism& mechanism) {
   const double most = largest(mechanism.motion);
   std::vector<Point> drawn = mechanism.nodes;
-  const double scale = most > 0.0 ? kMotionShare * bounding_box(drawn).size() / most : 0.0;
+  const double scale = most > 0.0 ? kMotionShare * plane::bounding_box(drawn).size() / most : 0.0;
   for (const Ring& ring : mechanism.rings) drawn.insert(drawn.end(), ring.begin(), ring.end());
   Moved moved;
   for (std::size_t i = 0; i < mechanism.nodes.size(); ++i) {
@@ -41,7 +41,7 @@ Moved move_nodes(const Mechanism& mechanism) {
     moved.moves.push_back(length(u) > kMovingShare * most);
     moved.count += moved.moves.back() ? 1 : 0;
   }
-  moved.frame = fit_frame(bounding_box(drawn), kWidth, 14.0, 0.0);
+  moved.frame = fit_frame(plane::bounding_box(drawn), kWidth, 14.0, 0.0);
   for (std::size_t i = 0; i < mechanism.nodes.size(); ++i) {
     moved.from.push_back(moved.frame.at(mechanism.nodes[i]));
     const double unit = moved.moves[i] ? scale * moved.frame.unit : 0.0;

@@ -16,7 +16,8 @@
 
 namespace nodal::elastic::show {
 
-using namespace svg;  // what strokes are made by
+using namespace svg;              // what strokes are made by
+using plane::Point, plane::Ring;  // a picture is flat
 
 struct PicturedSpring {
   std::size_t first = 0, second = 0;

@@ -86,7 +86,7 @@ double Frame::line_width() const {
   return spacing > 0.0 ? std::clamp(0.12 * spacing, 0.25, widest) : widest;
 }
 
-Frame fit_frame(const Box& box, double width, double margin, double strip) {
+Frame fit_frame(const plane::Box& box, double width, double margin, double strip) {
   Frame frame;
   const double across = width - 2.0 * margin, up = kTallest * width - 2.0 * margin - strip;
   if (box.size() > 0.0)
@@ -101,17 +101,17 @@ Frame fit_frame(const Box& box, double width, double margin, double strip) {
 Frame make_frame(const std::vector<const Picture*>& pictures, double width) {
   std::vector<Point> body, places, tips;
   for (const Picture* picture : pictures) body.insert(body.end(), picture->nodes.begin(), picture->nodes.end());
-  const double magnification = magnification_of(pictures, bounding_box(body).size());
+  const double magnification = magnification_of(pictures, plane::bounding_box(body).size());
   double force = 0.0;
   for_each_place(pictures, magnification, [&](const Point& place, const Point& pull) {
     places.push_back(place);
     force = std::max(force, length(pull));
   });
-  const double metres_per_newton = force > 0.0 ? kArrowShare * bounding_box(places).size() / force : 0.0;
+  const double metres_per_newton = force > 0.0 ? kArrowShare * plane::bounding_box(places).size() / force : 0.0;
   for_each_place(pictures, magnification,
                  [&](const Point& place, const Point& pull) { tips.push_back(moved(place, pull, metres_per_newton)); });
   places.insert(places.end(), tips.begin(), tips.end());
-  Frame frame = fit_frame(bounding_box(places), width, kLoadMargin, 0.0);
+  Frame frame = fit_frame(plane::bounding_box(places), width, kLoadMargin, 0.0);
   frame.magnification = magnification;
   frame.spacing = frame.unit * mean_spacing(pictures);
   frame.arrow = frame.unit * metres_per_newton;
@@ -121,7 +121,7 @@ Frame make_frame(const std::vector<const Picture*>& pictures, double width) {
 Frame make_rest_frame(const Picture& picture, double width, double strip) {
   std::vector<Point> body = picture.nodes;
   for (const Ring& ring : picture.rings) body.insert(body.end(), ring.begin(), ring.end());
-  Frame frame = fit_frame(bounding_box(body), width, kRestMargin, strip);
+  Frame frame = fit_frame(plane::bounding_box(body), width, kRestMargin, strip);
   frame.spacing = frame.unit * mean_spacing({&picture});
   return frame;
 }

@@ -31,7 +31,7 @@ inline constexpr double kPanelWidth = 240.0;  ///< drawing units, in the report,
 [[nodiscard]] Frame make_rest_frame(const Picture& picture, double width, double strip);
 
 /// A frame of that width around a box in metres, with margins in drawing units; at most 1.25 times as tall as wide.
-[[nodiscard]] Frame fit_frame(const Box& box, double width, double margin, double strip);
+[[nodiscard]] Frame fit_frame(const plane::Box& box, double width, double margin, double strip);
 
 /// The largest of 1, 2, 5 × a power of ten that is not above `value`, which is positive.
 [[nodiscard]] double round_down_125(double value);

@@ -55,7 +55,7 @@ Drawing key(const Picture& picture, const Frame& frame, const StiffnessColours& 
 }
 
 double aspect(const Picture& picture) {
-  const Box box = bounding_box(picture.nodes);
+  const plane::Box box = plane::bounding_box(picture.nodes);
   return box.height() > 0.0 ? box.width() / box.height() : 1e9;
 }
 

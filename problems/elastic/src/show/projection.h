@@ -10,6 +10,8 @@
 
 namespace nodal::elastic::show {
 
+using plane::Point, plane::Ring;  // a picture is flat
+
 class Projection {
  public:
   explicit Projection(std::size_t dimension) : freedoms_{dimension, 0} {}

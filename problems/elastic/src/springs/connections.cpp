@@ -13,7 +13,7 @@ namespace nodal::elastic {
 namespace {
 
 // Twice the signed area of a triangle: positive when c lies left of a → b.
-double turn(const Point& a, const Point& b, const Point& c) {
+double turn(const plane::Point& a, const plane::Point& b, const plane::Point& c) {
   return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
 }
 
@@ -23,11 +23,11 @@ struct Shape {
   std::size_t side = 0;
 };
 
-Shape shape_of(const std::vector<Point>& nodes, const Triangle& triangle) {
+Shape shape_of(const std::vector<plane::Point>& nodes, const Triangle& triangle) {
   Shape shape;
   double longest = 0.0;
   for (std::size_t s = 0; s < 3; ++s) {
-    const double length = distance(nodes[triangle[s]], nodes[triangle[(s + 1) % 3]]);
+    const double length = plane::distance(nodes[triangle[s]], nodes[triangle[(s + 1) % 3]]);
     if (length > longest) longest = length, shape.side = s;
   }
   shape.height = std::abs(turn(nodes[triangle[0]], nodes[triangle[1]], nodes[triangle[2]])) / (longest * longest);
@@ -38,14 +38,14 @@ NodePair side_of(const Triangle& triangle, std::size_t side) {
   return std::minmax(triangle[side], triangle[(side + 1) % 3]);
 }
 
-bool convex(const Point& a, const Point& c, const Point& b, const Point& d) {
+bool convex(const plane::Point& a, const plane::Point& c, const plane::Point& b, const plane::Point& d) {
   return turn(a, c, b) > 0.0 && turn(c, b, d) > 0.0 && turn(b, d, a) > 0.0 && turn(d, a, c) > 0.0;
 }
 
 // Nodes in square buckets of about two each, to look for neighbours in.
 class Buckets {
  public:
-  explicit Buckets(const std::vector<Point>& nodes) : nodes_(nodes), box_(bounding_box(nodes)) {
+  explicit Buckets(const std::vector<plane::Point>& nodes) : nodes_(nodes), box_(plane::bounding_box(nodes)) {
     const double cells = std::max(1.0, static_cast<double>(nodes.size()) / 2.0);
     const double area = std::max(box_.width(), 1e-9 * box_.size()) * std::max(box_.height(), 1e-9 * box_.size());
     side_ = std::max(std::sqrt(area / cells), box_.size() / 4096.0);
@@ -90,7 +90,7 @@ class Buckets {
   }
 
   std::size_t count(double length) const { return static_cast<std::size_t>(length / side_) + 1; }
-  std::pair<std::size_t, std::size_t> cell_of(const Point& p) const {
+  std::pair<std::size_t, std::size_t> cell_of(const plane::Point& p) const {
     return {std::min(columns_ - 1, static_cast<std::size_t>((p[0] - box_.low[0]) / side_)),
             std::min(rows_ - 1, static_cast<std::size_t>((p[1] - box_.low[1]) / side_))};
   }
@@ -102,12 +102,12 @@ class Buckets {
         const std::size_t away = std::max(r > row ? r - row : row - r, c > column ? c - column : column - c);
         if (away != ring) continue;
         for (const std::size_t j : members_[r * columns_ + c])
-          if (j != i) found.emplace_back(distance(nodes_[i], nodes_[j]), j);
+          if (j != i) found.emplace_back(plane::distance(nodes_[i], nodes_[j]), j);
       }
   }
 
-  const std::vector<Point>& nodes_;
-  Box box_;
+  const std::vector<plane::Point>& nodes_;
+  plane::Box box_;
   double side_ = 1.0;
   std::size_t columns_ = 1, rows_ = 1;
   std::vector<std::vector<std::size_t>> members_;
@@ -124,7 +124,8 @@ std::vector<TriangleSide> sides_of(const std::vector<Triangle>& triangles) {
   return sides;
 }
 
-std::size_t drop_slivers(const std::vector<Point>& nodes, std::vector<Triangle>& triangles, double least_height) {
+std::size_t drop_slivers(const std::vector<plane::Point>& nodes, std::vector<Triangle>& triangles,
+                         double least_height) {
   std::size_t dropped = 0;
   while (true) {
     std::map<NodePair, std::size_t> uses;
@@ -145,7 +146,7 @@ std::vector<NodePair> side_pairs(const std::vector<Triangle>& triangles) {
   return pairs;
 }
 
-std::vector<NodePair> flip_pairs(const std::vector<Point>& nodes, const std::vector<Triangle>& triangles) {
+std::vector<NodePair> flip_pairs(const std::vector<plane::Point>& nodes, const std::vector<Triangle>& triangles) {
   const std::vector<TriangleSide> sides = sides_of(triangles);
   std::vector<NodePair> present, flips;
   for (const TriangleSide& side : sides) present.push_back(side.ends);  // sorted, since `sides` are
@@ -164,7 +165,8 @@ std::vector<NodePair> flip_pairs(const std::vector<Point>& nodes, const std::vec
   return flips;
 }
 
-std::vector<NodePair> nearest_pairs(const Outline* outline, const std::vector<Point>& nodes, std::size_t count) {
+std::vector<NodePair> nearest_pairs(const plane::Outline* outline, const std::vector<plane::Point>& nodes,
+                                    std::size_t count) {
   const Buckets buckets(nodes);
   std::vector<NodePair> pairs;
   for (std::size_t i = 0; i < nodes.size(); ++i)

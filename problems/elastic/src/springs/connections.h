@@ -34,13 +34,14 @@ struct TriangleSide {
 /// Takes off, from outside in, triangles whose longest side is on the border and whose height over it is less than
 /// `least_height` of it: nodes that lie on a line up to rounding make them, and their springs would hold next to
 /// nothing. Returns how many.
-std::size_t drop_slivers(const std::vector<Point>& nodes, std::vector<Triangle>& triangles, double least_height);
+std::size_t drop_slivers(const std::vector<plane::Point>& nodes, std::vector<Triangle>& triangles, double least_height);
 inline constexpr double kLeastTriangleHeight = 1e-3;
 
 [[nodiscard]] std::vector<NodePair> side_pairs(const std::vector<Triangle>& triangles);
-[[nodiscard]] std::vector<NodePair> flip_pairs(const std::vector<Point>& nodes, const std::vector<Triangle>& triangles);
+[[nodiscard]] std::vector<NodePair> flip_pairs(const std::vector<plane::Point>& nodes,
+                                               const std::vector<Triangle>& triangles);
 /// Without an outline nothing stands between nodes. Cost     n log n.
-[[nodiscard]] std::vector<NodePair> nearest_pairs(const Outline* outline, const std::vector<Point>& nodes,
+[[nodiscard]] std::vector<NodePair> nearest_pairs(const plane::Outline* outline, const std::vector<plane::Point>& nodes,
                                                   std::size_t count);
 
 }  // namespace nodal::elastic

@@ -25,8 +25,8 @@ void join(const std::vector<NodePair>& pairs, Net& net) {
 }
 
 void triangulate(Net& net, Account& account) {
-  net.triangles = net.body.has_outline() ? constrained_triangles(in_plane(net.nodes), net.outlines)
-                                         : delaunay_triangles(in_plane(net.nodes));
+  net.triangles = net.body.has_outline() ? plane::constrained_triangles(in_plane(net.nodes), net.outlines)
+                                         : plane::delaunay_triangles(in_plane(net.nodes));
   const std::size_t slivers = drop_slivers(in_plane(net.nodes), net.triangles, kLeastTriangleHeight);
   if (slivers > 0)
     account.remark(
@@ -37,8 +37,8 @@ void triangulate(Net& net, Account& account) {
 }
 
 std::vector<NodePair> touching_regions(const Net& net) {
-  const Outline outline(net.body);
-  VoronoiCells cells(outline, {});
+  const plane::Outline outline(net.body);
+  plane::VoronoiCells cells(outline, {});
   cells.compute(in_plane(net.nodes));
   std::vector<NodePair> pairs = cells.neighbour_pairs();
   std::ranges::sort(pairs);
@@ -67,7 +67,7 @@ void join_voronoi_neighbours(const Options& /*springs*/, LaidNodes& nodes, Accou
 void join_nearest(const Options& springs, LaidNodes& nodes, Account& /*account*/) {
   Net& net = nodes.net;
   const std::int64_t count = springs.has("nearest") ? springs.integer("nearest") : kDefaultNearest;
-  std::optional<Outline> outline;
+  std::optional<plane::Outline> outline;
   if (net.body.has_outline()) outline.emplace(net.body);
   net.topology = fmt::format("nearest {}", count);
   join(nearest_pairs(outline ? &*outline : nullptr, in_plane(net.nodes), static_cast<std::size_t>(count)), net);

@@ -14,12 +14,12 @@ namespace {
 // Of a grid that is clipped to the body: only springs that lie in it.
 void join_clipped(std::string_view topology, LaidNodes& nodes) {
   Net& net = nodes.net;
-  const GridPoints& grid = *nodes.clipped;
-  const Outline outline(net.body);
-  const auto springs = join_grid(outline, grid, std::string(topology));
+  const plane::GridPoints& grid = *nodes.clipped;
+  const plane::Outline outline(net.body);
+  const auto springs = plane::join_grid(outline, grid, std::string(topology));
   if (springs.empty()) throw Refusal("the grid is so coarse that the body holds no spring of it");
   for (const auto& [i, j] : springs) net.springs.push_back(make_spring(net.nodes, i, j));
-  if (grid.cells == GridCells::triangular) net.triangles = grid_triangles(outline, grid, springs);
+  if (grid.cells == plane::GridCells::triangular) net.triangles = plane::grid_triangles(outline, grid, springs);
   net.topology = topology;
 }
 

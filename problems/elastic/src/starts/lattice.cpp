@@ -25,7 +25,7 @@ bool diagonal(const Spring& s) { return s.direction[0] != 0.0 && s.direction[1] 
 bool agree(double a, double b) { return std::abs(a - b) <= kAgreement * std::abs(b); }
 
 bool fills_the_body(const Net& net, double area) {
-  return net.body.has_outline() && agree(area, moments(net.body.rings).area);
+  return net.body.has_outline() && agree(area, plane::moments(net.body.rings).area);
 }
 
 // How many triangles each spring is a side of; empty unless all are equilateral, of one size, and fill the body.

@@ -20,6 +20,8 @@ std::string triangulation_library() {
   return "CGAL, which this build lacks: install libcgal-dev and configure with -DNODAL_CGAL=ON";
 }
 
+namespace plane {
+
 Neighbours delaunay_neighbours(const std::vector<Point>&) { refuse("a Voronoi diagram"); }
 
 std::vector<Triangle> delaunay_triangles(const std::vector<Point>&) { refuse("a triangulation"); }
@@ -27,5 +29,7 @@ std::vector<Triangle> delaunay_triangles(const std::vector<Point>&) { refuse("a 
 std::vector<Triangle> constrained_triangles(const std::vector<Point>&, const std::vector<std::vector<std::size_t>>&) {
   refuse("a triangulation");
 }
+
+}  // namespace plane
 
 }  // namespace nodal::elastic

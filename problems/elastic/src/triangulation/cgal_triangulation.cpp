@@ -20,6 +20,12 @@
 
 namespace nodal::elastic {
 
+bool triangulation_available() noexcept { return true; }
+
+std::string triangulation_library() { return CGAL_VERSION_STR; }
+
+namespace plane {
+
 namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
@@ -152,10 +158,6 @@ void count_depth(Constrained& made) {
 
 }  // namespace
 
-bool triangulation_available() noexcept { return true; }
-
-std::string triangulation_library() { return CGAL_VERSION_STR; }
-
 Neighbours delaunay_neighbours(const std::vector<Point>& points) {
   const auto made = triangulate<Delaunay>(points);
   std::vector<std::array<std::size_t, 2>> edges;
@@ -196,5 +198,7 @@ std::vector<Triangle> constrained_triangles(const std::vector<Point>& nodes, con
   std::ranges::sort(triangles);
   return triangles;
 }
+
+}  // namespace plane
 
 }  // namespace nodal::elastic

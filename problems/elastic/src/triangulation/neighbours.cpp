@@ -3,7 +3,7 @@
 
 #include "triangulation/triangulation.h"
 
-namespace nodal::elastic {
+namespace nodal::elastic::plane {
 
 Neighbours::Neighbours(std::size_t nodes, const std::vector<std::array<std::size_t, 2>>& edges)
     : begin_(nodes + 1, 0), others_(2 * edges.size()) {
@@ -22,4 +22,4 @@ Neighbours::Neighbours(std::size_t nodes, const std::vector<std::array<std::size
               others_.begin() + static_cast<std::ptrdiff_t>(begin_[i + 1]));
 }
 
-}  // namespace nodal::elastic
+}  // namespace nodal::elastic::plane

@@ -25,6 +25,8 @@ namespace nodal::elastic {
 /// The library's version, "5.5.1"; in a build without it what that lacks and how to get it.
 [[nodiscard]] std::string triangulation_library();
 
+namespace plane {
+
 /// Per node its neighbours, ascending.
 class Neighbours {
  public:
@@ -56,5 +58,7 @@ class Neighbours {
 /// polygon: there the outline needs more nodes.
 [[nodiscard]] std::vector<Triangle> constrained_triangles(const std::vector<Point>& nodes,
                                                           const std::vector<std::vector<std::size_t>>& outlines);
+
+}  // namespace plane
 
 }  // namespace nodal::elastic

@@ -13,7 +13,7 @@ TEST(Account, KeepsStagesInTheOrderInWhichTheyAreToldOf) {
   account.used("points", "grid");
   account.left_out("masses", "none needed");
   account.used("springs", "72");
-  account.used("points", "grid of 5 × 5");        // told anew, in its place
+  account.used("points", "grid of 5 × 5");         // told anew, in its place
   account.left_out("springs", "nobody left any");  // they were used
   account.used("masses", "after all");
   ASSERT_EQ(account.stages().size(), 3u);
@@ -36,11 +36,10 @@ TEST_F(SmallSystem, StagesOfAStudyAreToldInTheOrderOfTheWork) {
   const auto problem = read("points = { counts = [4, 4] }\n");
   std::vector<std::string> names;
   for (const Stage& stage : problem->stages()) names.push_back(stage.name);
-  EXPECT_EQ(names, (std::vector<std::string>{"body", "points", "iterated Voronoi regions", "springs",
-                                             "Delaunay triangulation", "masses", "loads", "analytic reference",
-                                             "measured reference", "rigidity by sparse QR", "bounds",
-                                             "initial stiffness", "parameters", "lanes", "equilibrium", "gradient",
-                                             "moves"}));
+  EXPECT_EQ(names, (std::vector<std::string>{
+                       "body", "points", "iterated Voronoi regions", "springs", "Delaunay triangulation", "masses",
+                       "loads", "analytic reference", "measured reference", "rigidity by sparse QR", "bounds",
+                       "initial stiffness", "parameters", "lanes", "equilibrium", "gradient", "moves"}));
 }
 
 }  // namespace

@@ -55,7 +55,7 @@ TEST(Ties, MinimalSupportsOfABodyMovedAreTheSameNodes) {
     for (const double scale : kScales)
       for (const double x : kOffsets) {
         Net net;
-        net.body = regular_body({x * scale, -0.7 * x * scale}, scale, sides, 0.3);
+        net.body = plane::regular_body({x * scale, -0.7 * x * scale}, scale, sides, 0.3);
         net.nodes = lifted(net.body.rings[0]);
         find_border(net);
         const LoadSet loads = make_basic_loads(net, {}, 1.0, SupportStyle::minimal);
@@ -71,7 +71,7 @@ TEST(Ties, MinimalSupportsOfABodyMovedAreTheSameNodes) {
 TEST(Ties, NearestNodesOfAGridAreTheLowest) {
   for (const double scale : kScales)
     for (const double x : kOffsets) {
-      std::vector<Point> nodes;
+      std::vector<plane::Point> nodes;
       for (int row = 0; row < 6; ++row)
         for (int column = 0; column < 6; ++column) nodes.push_back({x + scale * column, -0.7 * x + scale * row});
       std::vector<NodePair> expected;

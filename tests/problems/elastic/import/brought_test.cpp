@@ -315,7 +315,7 @@ TEST_F(Brought, CasesThatDoNotFitAreSaidWithTheirPlace) {
 // A constant stress around any outline balances, torque included; here around a plate with a hole.
 TEST_F(Brought, StressAroundAllOutlinesBalances) {
   Net net;
-  net.body = rectangle_body({0, 0}, {3, 2});
+  net.body = plane::rectangle_body({0, 0}, {3, 2});
   net.body.rings.push_back({{1, 0.5}, {1, 1.5}, {2, 1}});
   net.nodes = {{0, 0}, {1.2, 0}, {3, 0}, {3, 0.7}, {3, 2}, {0, 2}, {1, 0.5}, {1, 1.5}, {2, 1}, {0.5, 1}};
   find_border(net);

@@ -14,7 +14,8 @@ namespace {
 
 using toy::message_of;
 
-const std::vector<Ring> kSquareWithHole = {{{0, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 0}}, {{1, 1}, {1, 2}, {2, 1}, {1, 1}}};
+const std::vector<plane::Ring> kSquareWithHole = {{{0, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 0}},
+                                                  {{1, 1}, {1, 2}, {2, 1}, {1, 1}}};
 
 // ── WKT
 // ────────────────────────────────────────────────────────────────────────────────────────────────────────────────
@@ -242,7 +243,7 @@ TEST_F(OutlineFile, IsReadByItsExtension) {
   for (const char* file : {"a.wkt", "A.WKT", "a.json", "a.geojson"}) {
     const Body read = body(file);
     EXPECT_EQ(read.name, file);
-    EXPECT_EQ(read.rings, (std::vector<Ring>{{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {{1, 1}, {1, 2}, {2, 1}}}));
+    EXPECT_EQ(read.rings, (std::vector<plane::Ring>{{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {{1, 1}, {1, 2}, {2, 1}}}));
     EXPECT_TRUE(read.remarks.empty());
   }
 }
@@ -254,15 +255,15 @@ TEST_F(OutlineFile, IsScaledAndSaysWhatItLeavesOut) {
   options.set("scale", 0.001);
   InputFiles files(directory_.path());
   const Body read = read_body(resolve_options(body_fields(), options, "'body'"), {files, {}}, "rectangle");
-  EXPECT_EQ(read.rings, (std::vector<Ring>{{{0, 0}, {4, 0}, {4, 4}, {0, 4}}}));
+  EXPECT_EQ(read.rings, (std::vector<plane::Ring>{{{0, 0}, {4, 0}, {4, 4}, {0, 4}}}));
   EXPECT_EQ(read.remarks, (std::vector<std::string>{"mm.wkt: SRID 0 is left out, coordinates are taken for metres",
                                                     "mm.wkt: z, 1 everywhere, is left out"}));
 }
 
 TEST(Polygon, IsScaledWithItsHoles) {
-  const auto points = [](std::initializer_list<Point> list) {
+  const auto points = [](std::initializer_list<plane::Point> list) {
     Value::List all;
-    for (const Point& p : list) all.emplace_back(Value::List{Value(p[0]), Value(p[1])});
+    for (const plane::Point& p : list) all.emplace_back(Value::List{Value(p[0]), Value(p[1])});
     return Value(all);
   };
   Value options;
@@ -271,7 +272,7 @@ TEST(Polygon, IsScaledWithItsHoles) {
   options.set("scale", 0.001);
   InputFiles files;
   const Body read = read_body(resolve_options(body_fields(), options, "'body'"), {files, {}}, "rectangle");
-  EXPECT_EQ(read.rings, (std::vector<Ring>{{{0, 0}, {4, 0}, {4, 3}}, {{2, 0.5}, {2, 1}, {2.5, 1}}}));
+  EXPECT_EQ(read.rings, (std::vector<plane::Ring>{{{0, 0}, {4, 0}, {4, 3}}, {{2, 0.5}, {2, 1}, {2.5, 1}}}));
   Value rectangle;
   rectangle.set("scale", 2.0);
   EXPECT_NE(message_of([&] {

@@ -27,7 +27,7 @@ std::string text_of(const ElasticProblem& problem) {
   return text;
 }
 
-std::string nodes_csv(const std::vector<Point>& nodes, const char* format) {
+std::string nodes_csv(const std::vector<plane::Point>& nodes, const char* format) {
   std::string text = "node,x,y\n";
   for (std::size_t i = 0; i < nodes.size(); ++i)
     text += fmt::format("{},{},{}\n", i, fmt::format(fmt::runtime(format), nodes[i][0]),
@@ -41,7 +41,7 @@ class WrittenNodes : public StudyFiles {
  protected:
   // The trapezoid (0 0, 3 0, 1 1, 0 1) with four nodes on each of four levels, the last on the slanted side.
   void write_trapezoid(const char* format) {
-    std::vector<Point> nodes;
+    std::vector<plane::Point> nodes;
     for (int row = 0; row < 4; ++row)
       for (int column = 0; column < 4; ++column) {
         const double y = row / 3.0;
@@ -71,7 +71,7 @@ class WrittenNodes : public StudyFiles {
   // 32 nodes on a circle of 0.05, 16 at half of it, one in the middle; squeezed all round. Every other one of the 32
   // has one spring inwards, the others two.
   std::shared_ptr<const ElasticProblem> disc(const char* format) {
-    std::vector<Point> nodes;
+    std::vector<plane::Point> nodes;
     const auto ring = [&](int count, double radius) {
       for (int i = 0; i < count; ++i) {
         const double angle = 2.0 * std::numbers::pi * i / count;

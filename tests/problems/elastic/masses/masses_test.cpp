@@ -20,15 +20,16 @@ namespace {
 // ── the tests' own view of moments, points and Voronoi regions ──────────────────────────────────────────────────────
 
 // Σ m (1, x, y, x², xy, y²) about the target's origin against it, each relative to mass · size^power.
-double moment_error(const std::vector<Point>& points, const std::vector<double>& masses, const MassTarget& target) {
+double moment_error(const std::vector<plane::Point>& points, const std::vector<double>& masses,
+                    const MassTarget& target) {
   long double sums[6] = {};
-  const double size = bounding_box(points).size();
+  const double size = plane::bounding_box(points).size();
   for (std::size_t i = 0; i < points.size(); ++i) {
     const long double x = points[i][0] - target.origin[0], y = points[i][1] - target.origin[1];
     const long double row[6] = {1, x, y, x * x, x * y, y * y};
     for (int k = 0; k < 6; ++k) sums[k] += masses[i] * row[k];
   }
-  const Moments& t = target.moments;
+  const plane::Moments& t = target.moments;
   const double wanted[6] = {t.area, t.first[0], t.first[1], t.xx, t.xy, t.yy};
   const double units[6] = {1, size, size, size * size, size * size, size * size};
   double worst = 0.0;
@@ -37,25 +38,27 @@ double moment_error(const std::vector<Point>& points, const std::vector<double>&
   return worst;
 }
 
-std::vector<Point> grid(std::size_t columns, std::size_t rows, const Point& corner, const Point& size) {
-  return in_plane(make_grid_net(rectangle_body(corner, size), columns, rows, "crossed").nodes);
+std::vector<plane::Point> grid(std::size_t columns, std::size_t rows, const plane::Point& corner,
+                               const plane::Point& size) {
+  return in_plane(make_grid_net(plane::rectangle_body(corner, size), columns, rows, "crossed").nodes);
 }
 
-std::vector<Point> random_points(std::size_t count, std::uint64_t seed, const Point& corner = {0, 0}, double size = 1) {
+std::vector<plane::Point> random_points(std::size_t count, std::uint64_t seed, const plane::Point& corner = {0, 0},
+                                        double size = 1) {
   RandomStream random(seed);
-  std::vector<Point> points(count);
-  for (Point& p : points) p = {corner[0] + size * random.uniform(), corner[1] + size * random.uniform()};
+  std::vector<plane::Point> points(count);
+  for (plane::Point& p : points) p = {corner[0] + size * random.uniform(), corner[1] + size * random.uniform()};
   return points;
 }
 
 // The part of a convex polygon that is nearer to a than to b.
-Ring nearer(const Ring& ring, const Point& a, const Point& b) {
-  const auto side = [&](const Point& p) {
+plane::Ring nearer(const plane::Ring& ring, const plane::Point& a, const plane::Point& b) {
+  const auto side = [&](const plane::Point& p) {
     return (b[0] - a[0]) * (p[0] - 0.5 * (a[0] + b[0])) + (b[1] - a[1]) * (p[1] - 0.5 * (a[1] + b[1]));
   };
-  Ring kept;
+  plane::Ring kept;
   for (std::size_t i = 0; i < ring.size(); ++i) {
-    const Point &p = ring[i], &q = ring[(i + 1) % ring.size()];
+    const plane::Point &p = ring[i], &q = ring[(i + 1) % ring.size()];
     const double at_p = side(p), at_q = side(q);
     if (at_p <= 0.0) kept.push_back(p);
     if ((at_p < 0.0) != (at_q < 0.0) && at_p != 0.0 && at_q != 0.0) {
@@ -67,26 +70,26 @@ Ring nearer(const Ring& ring, const Point& a, const Point& b) {
 }
 
 // Masses of the Voronoi regions within a convex body.
-std::vector<double> voronoi_masses(const std::vector<Point>& points, const Body& body, double density) {
+std::vector<double> voronoi_masses(const std::vector<plane::Point>& points, const Body& body, double density) {
   std::vector<double> masses;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    Ring cell = body.rings[0];
+    plane::Ring cell = body.rings[0];
     for (std::size_t j = 0; j < points.size(); ++j)
       if (j != i && !cell.empty()) cell = nearer(cell, points[i], points[j]);
-    masses.push_back(cell.size() < 3 ? 0.0 : density * body.thickness * moments({cell}).area);
+    masses.push_back(cell.size() < 3 ? 0.0 : density * body.thickness * plane::moments({cell}).area);
   }
   return masses;
 }
 
 // q ≥ 0 on all nodes, and Σ (m − lower) q < 0 for the body's moments: recomputed about the target's origin by numbers
 // that the certificate doesn't bring along.
-void expect_proof(const Masses& masses, const std::vector<Point>& points, const MassTarget& target,
+void expect_proof(const Masses& masses, const std::vector<plane::Point>& points, const MassTarget& target,
                   const std::vector<double>& lower) {
   ASSERT_EQ(masses.outcome, MassOutcome::infeasible) << masses.message;
   ASSERT_TRUE(masses.certificate.has_value());
   const MassCertificate& c = *masses.certificate;
   const double dx = target.origin[0] - c.middle[0], dy = target.origin[1] - c.middle[1];
-  const Moments& t = target.moments;
+  const plane::Moments& t = target.moments;
   const double x = t.first[0] + dx * t.area, y = t.first[1] + dy * t.area;
   const double xx = t.xx + 2 * dx * t.first[0] + dx * dx * t.area, yy = t.yy + 2 * dy * t.first[1] + dy * dy * t.area;
   const double xy = t.xy + dx * t.first[1] + dy * t.first[0] + dx * dy * t.area;
@@ -104,9 +107,9 @@ void expect_proof(const Masses& masses, const std::vector<Point>& points, const 
 
 // Optimality of min ‖m − v‖², A m = p, m ≥ w: on the free nodes m − v is a combination of A's rows, and with that
 // combination taken from it no bound mass would rather grow (Karush, Kuhn, Tucker).
-void expect_optimal(const std::vector<Point>& points, const std::vector<double>& m, const std::vector<double>& v,
+void expect_optimal(const std::vector<plane::Point>& points, const std::vector<double>& m, const std::vector<double>& v,
                     double share) {
-  const Box box = bounding_box(points);
+  const plane::Box box = plane::bounding_box(points);
   const auto n = static_cast<Eigen::Index>(points.size());
   Eigen::MatrixXd a(6, n);
   Eigen::VectorXd change(n);
@@ -138,10 +141,10 @@ double distance_squared(const std::vector<double>& a, const std::vector<double>&
 }
 
 // The optimum by trying every set of masses at their bounds: the nearest feasible point of the affine problems.
-std::optional<std::vector<double>> by_enumeration(const std::vector<Point>& points, const MassTarget& target,
+std::optional<std::vector<double>> by_enumeration(const std::vector<plane::Point>& points, const MassTarget& target,
                                                   const std::vector<double>& v, double share) {
   const std::size_t n = points.size();
-  const Moments& t = target.moments;
+  const plane::Moments& t = target.moments;
   Eigen::VectorXd p(6);
   p << t.area, t.first[0], t.first[1], t.xx, t.xy, t.yy;
   Eigen::MatrixXd a(6, static_cast<Eigen::Index>(n));
@@ -177,8 +180,8 @@ std::optional<std::vector<double>> by_enumeration(const std::vector<Point>& poin
 // A 3 × 3 grid over [−1, 1]²: symmetry leaves corner c, edge e, middle o with 4c + 4e + o = 4 and ∫x² = 4/3 = 4c + 2e,
 // of least norm at c = 0 (paper, Figure 3's grids).
 TEST(LeastNormMasses, AreZeroAtTheCornersOfA3By3Grid) {
-  const Body body = rectangle_body({-1, -1}, {2, 2});
-  const std::vector<Point> points = grid(3, 3, {-1, -1}, {2, 2});
+  const Body body = plane::rectangle_body({-1, -1}, {2, 2});
+  const std::vector<plane::Point> points = grid(3, 3, {-1, -1}, {2, 2});
   const Masses m = least_norm_masses(points, mass_target(body, 1.0));
   EXPECT_EQ(m.outcome, MassOutcome::found);
   EXPECT_EQ(m.rank, 6u);
@@ -188,14 +191,15 @@ TEST(LeastNormMasses, AreZeroAtTheCornersOfA3By3Grid) {
 }
 
 TEST(LeastNormMasses, AreZeroAtTheCornersOfA4By4Grid) {
-  const Masses m = least_norm_masses(grid(4, 4, {2, 1}, {3, 3}), mass_target(rectangle_body({2, 1}, {3, 3}), 7.8));
+  const Masses m =
+      least_norm_masses(grid(4, 4, {2, 1}, {3, 3}), mass_target(plane::rectangle_body({2, 1}, {3, 3}), 7.8));
   for (const std::size_t corner : {0, 3, 12, 15}) EXPECT_NEAR(m.masses[corner] / (9 * 7.8), 0.0, 1e-15);
 }
 
 TEST(LeastNormMasses, MeetAllMomentsOfAnLShapedBody) {
   const Body body{.name = "L", .rings = {{{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 2}, {0, 2}}}, .thickness = 0.02};
-  const std::vector<Point> points = {{0, 0}, {1, 0}, {2, 0},     {3, 0}, {3, 1},    {2, 1},
-                                     {1, 1}, {1, 2}, {0.0, 2.0}, {0, 1}, {0.5, .5}, {2.2, 0.4}};
+  const std::vector<plane::Point> points = {{0, 0}, {1, 0}, {2, 0},     {3, 0}, {3, 1},    {2, 1},
+                                            {1, 1}, {1, 2}, {0.0, 2.0}, {0, 1}, {0.5, .5}, {2.2, 0.4}};
   const MassTarget target = mass_target(body, 7800.0);
   EXPECT_NEAR(target.moments.area, 4.0 * 0.02 * 7800.0, 1e-9);
   const Masses m = least_norm_masses(points, target);
@@ -207,8 +211,8 @@ TEST(LeastNormMasses, MeetAllMomentsOfAnLShapedBody) {
 
 // m = Aᵀx: orthogonal to what doesn't change any moment, which is what least norm means.
 TEST(LeastNormMasses, AreOfLeastNorm) {
-  const std::vector<Point> points = random_points(15, 3);
-  const MassTarget target = mass_target(rectangle_body({0, 0}, {1, 1}), 1.0);
+  const std::vector<plane::Point> points = random_points(15, 3);
+  const MassTarget target = mass_target(plane::rectangle_body({0, 0}, {1, 1}), 1.0);
   const Masses m = least_norm_masses(points, target);
   ASSERT_EQ(m.outcome, MassOutcome::found);
   Eigen::MatrixXd columns(15, 6);
@@ -223,13 +227,13 @@ TEST(LeastNormMasses, AreOfLeastNorm) {
 
 TEST(LeastNormMasses, NeedNoParticularPlaceOrSize) {
   struct Case {
-    Point corner;
+    plane::Point corner;
     double size;
   };
   for (const Case& c : {Case{{0, 0}, 1e-9}, Case{{0, 0}, 1e9}, Case{{1e6, -1e6}, 1.0}, Case{{1e6, 0}, 1e3},
                         Case{{-3e-7, 2e-7}, 1e-8}}) {
-    const Body body = rectangle_body(c.corner, {c.size, c.size});
-    const std::vector<Point> points = random_points(40, 11, c.corner, c.size);
+    const Body body = plane::rectangle_body(c.corner, {c.size, c.size});
+    const std::vector<plane::Point> points = random_points(40, 11, c.corner, c.size);
     const MassTarget target = mass_target(body, 2.0);
     const Masses m = least_norm_masses(points, target);
     EXPECT_EQ(m.outcome, MassOutcome::found) << c.size << ": " << m.message;
@@ -239,8 +243,8 @@ TEST(LeastNormMasses, NeedNoParticularPlaceOrSize) {
 }
 
 TEST(LeastNormMasses, MeetTheMomentsOfTenThousandNodes) {
-  const Body body = rectangle_body({0, 0}, {3, 1});
-  const std::vector<Point> points = grid(100, 100, {0, 0}, {3, 1});
+  const Body body = plane::rectangle_body({0, 0}, {3, 1});
+  const std::vector<plane::Point> points = grid(100, 100, {0, 0}, {3, 1});
   const Masses m = least_norm_masses(points, mass_target(body, 1.0));
   EXPECT_EQ(m.outcome, MassOutcome::found);
   EXPECT_LT(moment_error(points, m.masses, mass_target(body, 1.0)), 1e-12);
@@ -250,8 +254,8 @@ TEST(LeastNormMasses, MeetTheMomentsOfTenThousandNodes) {
 
 // All nodes at y = 0 or 1: Σ m (y − ½)² = M/4, the body's ∫(y − ½)² is M/12.
 TEST(LeastNormMasses, NameTheConditionThatTwoRowsFail) {
-  const Body body = rectangle_body({0, 0}, {5, 1});
-  const std::vector<Point> points = grid(6, 2, {0, 0}, {5, 1});
+  const Body body = plane::rectangle_body({0, 0}, {5, 1});
+  const std::vector<plane::Point> points = grid(6, 2, {0, 0}, {5, 1});
   const MassTarget target = mass_target(body, 1.0);
   const Masses m = least_norm_masses(points, target);
   EXPECT_EQ(m.rank, 5u);
@@ -270,9 +274,9 @@ TEST(LeastNormMasses, NameTheConditionThatTwoRowsFail) {
 }
 
 TEST(LeastNormMasses, AreGivenWhereADeficientRankHappensToFit) {
-  const std::vector<Point> points = grid(6, 2, {0, 0}, {5, 1});
+  const std::vector<plane::Point> points = grid(6, 2, {0, 0}, {5, 1});
   MassTarget target{.moments = {}, .origin = {2.5, 0.5}};
-  for (const Point& p : points) {
+  for (const plane::Point& p : points) {
     target.moments.area += 1.0;
     target.moments.xx += (p[0] - 2.5) * (p[0] - 2.5);
     target.moments.yy += 0.25;
@@ -288,14 +292,14 @@ TEST(LeastNormMasses, AreGivenWhereADeficientRankHappensToFit) {
   }
 }
 
-std::string reason(const std::vector<Point>& points) {
+std::string reason(const std::vector<plane::Point>& points) {
   const Masses m = least_norm_masses(points, {.moments = {.area = 1.0, .xx = 0.1, .yy = 0.1}, .origin = {0, 0}});
   return m.failing.size() == 1 ? m.failing[0].reason.substr(0, m.failing[0].reason.find(", so"))
                                : std::to_string(m.failing.size()) + " conditions";
 }
 
 TEST(LeastNormMasses, NameTheCurveThatNodesLieOn) {
-  std::vector<Point> ellipse, hyperbola, parabola, cross, columns, turned;
+  std::vector<plane::Point> ellipse, hyperbola, parabola, cross, columns, turned;
   for (int i = 0; i < 12; ++i) {
     const double t = 0.3 + 0.5 * i, s = -1.0 + i / 5.5, side = i % 2 ? 1.0 : -1.0;
     ellipse.push_back({3 * std::cos(t) + 1, std::sin(t) + 2 * std::cos(t)});
@@ -315,7 +319,7 @@ TEST(LeastNormMasses, NameTheCurveThatNodesLieOn) {
 }
 
 TEST(LeastNormMasses, FailMoreConditionsOnALineAndOnFewNodes) {
-  std::vector<Point> line;
+  std::vector<plane::Point> line;
   for (int i = 0; i < 8; ++i) line.push_back({0.5 * i, 1.0 + 0.25 * i});
   const MassTarget target{.moments = {.area = 1.0, .xx = 0.1, .yy = 0.1}, .origin = {0, 0}};
   EXPECT_EQ(least_norm_masses(line, target).rank, 3u);
@@ -329,7 +333,7 @@ TEST(LeastNormMasses, FailMoreConditionsOnALineAndOnFewNodes) {
 
 TEST(LeastNormMasses, RefuseWhatIsNoBody) {
   const MassTarget target{.moments = {.area = 1.0, .xx = 0.1, .yy = 0.1}, .origin = {0, 0}};
-  const std::vector<Point> points = random_points(8, 1);
+  const std::vector<plane::Point> points = random_points(8, 1);
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THROW((void)least_norm_masses({}, target), Refusal);
   EXPECT_THROW((void)least_norm_masses({{0, nan}}, target), Refusal);
@@ -346,12 +350,12 @@ class PositiveMasses : public testing::TestWithParam<std::size_t> {};
 // Sets inside a square: either all masses are above their bounds, meet the moments and are the nearest such, or the
 // certificate holds. Least norm has negative masses in most small sets, so the bounds do matter here.
 TEST_P(PositiveMasses, AreFoundOrProvedImpossible) {
-  const Body body = rectangle_body({0, 0}, {1, 1});
+  const Body body = plane::rectangle_body({0, 0}, {1, 1});
   const MassTarget target = mass_target(body, 1.0);
   constexpr int kSets = 200;
   int found = 0, negative = 0;
   for (std::uint64_t seed = 1; seed <= kSets; ++seed) {
-    const std::vector<Point> points = random_points(GetParam(), seed);
+    const std::vector<plane::Point> points = random_points(GetParam(), seed);
     const std::vector<double> v = voronoi_masses(points, body, 1.0);
     ASSERT_NEAR(std::accumulate(v.begin(), v.end(), 0.0), 1.0, 1e-12);
     negative += least_norm_masses(points, target).smallest < 0.0;
@@ -379,12 +383,12 @@ TEST_P(PositiveMasses, AreFoundOrProvedImpossible) {
 INSTANTIATE_TEST_SUITE_P(Sets, PositiveMasses, testing::Values(12, 25, 50));
 
 TEST(PositiveMasses, AreTheVoronoiMassesWhereThoseMeetTheMoments) {
-  const std::vector<Point> points = random_points(30, 8);
+  const std::vector<plane::Point> points = random_points(30, 8);
   RandomStream random(5);
   std::vector<double> v;
   MassTarget target{.moments = {}, .origin = {0.5, 0.5}};
-  Moments& t = target.moments;
-  for (const Point& p : points) {
+  plane::Moments& t = target.moments;
+  for (const plane::Point& p : points) {
     const double x = p[0] - 0.5, y = p[1] - 0.5, mass = 0.5 + random.uniform();
     v.push_back(mass);
     t.area += mass, t.first[0] += mass * x, t.first[1] += mass * y;
@@ -396,11 +400,11 @@ TEST(PositiveMasses, AreTheVoronoiMassesWhereThoseMeetTheMoments) {
 }
 
 TEST(PositiveMasses, AgreeWithTryingEverySetOfBounds) {
-  const Body body = rectangle_body({0, 0}, {1, 1});
+  const Body body = plane::rectangle_body({0, 0}, {1, 1});
   const MassTarget target = mass_target(body, 1.0);
   int feasible = 0, infeasible = 0;
   for (std::uint64_t seed = 1; seed <= 30; ++seed) {
-    const std::vector<Point> points = random_points(9, seed);
+    const std::vector<plane::Point> points = random_points(9, seed);
     const std::vector<double> v = voronoi_masses(points, body, 1.0);
     const auto best = by_enumeration(points, target, v, 0.05);
     const Masses m = positive_masses(points, target, v, 0.05);
@@ -416,8 +420,8 @@ TEST(PositiveMasses, AgreeWithTryingEverySetOfBounds) {
 // A corner mass that least norm leaves at zero.
 TEST(PositiveMasses, AreBoundedBelowOnTheSmallGrids) {
   for (const std::size_t n : {3, 4, 5}) {
-    const Body body = rectangle_body({0, 0}, {1, 1});
-    const std::vector<Point> points = grid(n, n, {0, 0}, {1, 1});
+    const Body body = plane::rectangle_body({0, 0}, {1, 1});
+    const std::vector<plane::Point> points = grid(n, n, {0, 0}, {1, 1});
     const std::vector<double> v = voronoi_masses(points, body, 1.0);
     const Masses m = positive_masses(points, mass_target(body, 1.0), v);
     ASSERT_EQ(m.outcome, MassOutcome::found) << m.message;
@@ -428,8 +432,8 @@ TEST(PositiveMasses, AreBoundedBelowOnTheSmallGrids) {
 }
 
 TEST(PositiveMasses, AreExactlyThoseOfTheSameBodyElsewhereAndLarger) {
-  const Body small = rectangle_body({0, 0}, {1, 1}), large = rectangle_body({1e6, 1e6}, {1024, 1024});
-  const std::vector<Point> points = random_points(25, 4), moved = random_points(25, 4, {1e6, 1e6}, 1024);
+  const Body small = plane::rectangle_body({0, 0}, {1, 1}), large = plane::rectangle_body({1e6, 1e6}, {1024, 1024});
+  const std::vector<plane::Point> points = random_points(25, 4), moved = random_points(25, 4, {1e6, 1e6}, 1024);
   const Masses a = positive_masses(points, mass_target(small, 1.0), voronoi_masses(points, small, 1.0));
   const Masses b = positive_masses(moved, mass_target(large, 1.0), voronoi_masses(moved, large, 1.0));
   ASSERT_EQ(a.outcome, MassOutcome::found) << a.message;
@@ -444,10 +448,10 @@ TEST(PositiveMasses, AreFoundOnTheBorderOfWhatIsFeasible) {
   for (std::uint64_t seed = 1; seed <= 500; ++seed) {
     RandomStream random(seed);
     const std::size_t count = 6 + random.index(30);
-    const std::vector<Point> points = random_points(count, seed + 1000);
+    const std::vector<plane::Point> points = random_points(count, seed + 1000);
     const std::vector<double> v(count, 1.0 / static_cast<double>(count));
     MassTarget target{.moments = {}, .origin = {0.5, 0.5}};
-    Moments& t = target.moments;
+    plane::Moments& t = target.moments;
     const std::size_t above = 3 + random.index(3);
     for (std::size_t i = 0; i < count; ++i) {
       const double x = points[i][0] - 0.5, y = points[i][1] - 0.5;
@@ -464,8 +468,8 @@ TEST(PositiveMasses, AreFoundOnTheBorderOfWhatIsFeasible) {
 
 // Nodes in one half of the body have no centre of mass in its middle.
 TEST(PositiveMasses, AreProvedImpossibleForNodesInOneHalf) {
-  const Body body = rectangle_body({0, 0}, {2, 1});
-  const std::vector<Point> points = random_points(20, 6);  // in the left unit square
+  const Body body = plane::rectangle_body({0, 0}, {2, 1});
+  const std::vector<plane::Point> points = random_points(20, 6);  // in the left unit square
   const std::vector<double> v(20, 0.1);
   expect_proof(positive_masses(points, mass_target(body, 1.0), v), points, mass_target(body, 1.0),
                std::vector(20, 0.1 * kSmallestMassShare));

@@ -189,7 +189,7 @@ TEST(BlockNets, AreRefused) {
   EXPECT_EQ(refusal("grid", {3, 3, 3}), "a block can't be connected by 'grid'");
   EXPECT_EQ(refusal("faces", {3, 1, 3}), "a block needs at least 2 × 2 × 2 nodes");
   EXPECT_EQ(toy::message_of<Refusal>([] {
-              (void)make_block_net(rectangle_body({0, 0}, {1, 1}), {2, 2, 2}, "faces");
+              (void)make_block_net(plane::rectangle_body({0, 0}, {1, 1}), {2, 2, 2}, "faces");
             }),
             "a block of nodes needs a body that is a box");
 }

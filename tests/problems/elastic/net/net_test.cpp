@@ -10,7 +10,7 @@ namespace nodal::elastic {
 namespace {
 
 TEST(Grid, IsNumberedRowByRowFromTheLowerLeft) {
-  const Net net = make_grid_net(rectangle_body({1.0, 2.0}, {3.0, 1.0}), 4, 3, "crossed");
+  const Net net = make_grid_net(plane::rectangle_body({1.0, 2.0}, {3.0, 1.0}), 4, 3, "crossed");
   ASSERT_EQ(net.nodes.size(), 12u);
   EXPECT_EQ(net.nodes[0], (Vector{1.0, 2.0}));
   EXPECT_EQ(net.nodes[3], (Vector{4.0, 2.0}));
@@ -20,14 +20,14 @@ TEST(Grid, IsNumberedRowByRowFromTheLowerLeft) {
 
 // Axial springs: (c−1)r + c(r−1); one or two diagonals per cell.
 TEST(Grid, HasAsManySpringsAsItsTopologySays) {
-  const Body square = rectangle_body({0, 0}, {4, 4});
+  const Body square = plane::rectangle_body({0, 0}, {4, 4});
   EXPECT_EQ(make_grid_net(square, 5, 5, "crossed").springs.size(), 72u);
   EXPECT_EQ(make_grid_net(square, 5, 5, "single").springs.size(), 56u);
   EXPECT_EQ(make_grid_net(square, 5, 5, "alternating").springs.size(), 56u);
 }
 
 TEST(Grid, ListsEverySpringOnceByAscendingNodes) {
-  const Net net = make_grid_net(rectangle_body({0, 0}, {2, 1}), 6, 4, "crossed");
+  const Net net = make_grid_net(plane::rectangle_body({0, 0}, {2, 1}), 6, 4, "crossed");
   std::set<std::pair<std::size_t, std::size_t>> seen;
   std::pair<std::size_t, std::size_t> last = {0, 0};
   for (const Spring& s : net.springs) {
@@ -40,7 +40,7 @@ TEST(Grid, ListsEverySpringOnceByAscendingNodes) {
 }
 
 TEST(Grid, KnowsBorderAndCorners) {
-  const Net net = make_grid_net(rectangle_body({0, 0}, {4, 4}), 5, 5, "crossed");
+  const Net net = make_grid_net(plane::rectangle_body({0, 0}, {4, 4}), 5, 5, "crossed");
   int border = 0, corners = 0;
   for (std::size_t i = 0; i < net.nodes.size(); ++i) {
     border += net.on_border(i);
@@ -51,8 +51,8 @@ TEST(Grid, KnowsBorderAndCorners) {
 }
 
 std::size_t coordinates(const char* rule, const char* topology = "crossed", std::size_t columns = 5,
-                        std::size_t rows = 5, Point size = {4, 4}) {
-  return Parameters(make_grid_net(rectangle_body({0, 0}, size), columns, rows, topology), rule).size();
+                        std::size_t rows = 5, plane::Point size = {4, 4}) {
+  return Parameters(make_grid_net(plane::rectangle_body({0, 0}, size), columns, rows, topology), rule).size();
 }
 
 // A crossed 5 × 5 square: under the square's eight symmetries the 40 axial springs fall into 6 classes (by orbits of 8
@@ -65,7 +65,7 @@ TEST(Parameters, TieWhatTheirRuleSays) {
 }
 
 TEST(Parameters, TieMirrorImagesOnly) {
-  const Net net = make_grid_net(rectangle_body({0, 0}, {4, 4}), 5, 5, "crossed");
+  const Net net = make_grid_net(plane::rectangle_body({0, 0}, {4, 4}), 5, 5, "crossed");
   const Parameters parameters(net, "symmetric");
   const auto middle = [&](std::size_t e) {
     const Spring& s = net.springs[e];
@@ -92,7 +92,7 @@ TEST(Parameters, TakeTheSymmetriesThatATopologyHas) {
 }
 
 TEST(Parameters, StartTiedGroupsAtTheGeometricMean) {
-  const Net net = make_grid_net(rectangle_body({0, 0}, {1, 1}), 2, 2, "crossed");
+  const Net net = make_grid_net(plane::rectangle_body({0, 0}, {1, 1}), 2, 2, "crossed");
   const Parameters parameters(net, "uniform");
   std::vector<double> k = {1, 2, 4, 8, 16, 32}, x(1), tied(6);
   parameters.coordinates(k, x);

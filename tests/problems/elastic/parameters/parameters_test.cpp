@@ -19,7 +19,7 @@ namespace {
 
 using std::numbers::pi;
 
-Net net_of(std::vector<Point> nodes, const std::vector<std::array<std::size_t, 2>>& pairs) {
+Net net_of(std::vector<plane::Point> nodes, const std::vector<std::array<std::size_t, 2>>& pairs) {
   Net net;
   net.topology = "test";
   net.nodes = lifted(nodes);
@@ -28,7 +28,7 @@ Net net_of(std::vector<Point> nodes, const std::vector<std::array<std::size_t, 2
 }
 
 // Springs between all nodes that are no farther apart than `reach`.
-Net joined_within(std::vector<Point> nodes, double reach) {
+Net joined_within(std::vector<plane::Point> nodes, double reach) {
   std::vector<std::array<std::size_t, 2>> pairs;
   for (std::size_t i = 0; i < nodes.size(); ++i)
     for (std::size_t j = i + 1; j < nodes.size(); ++j)
@@ -38,7 +38,7 @@ Net joined_within(std::vector<Point> nodes, double reach) {
 
 // A hexagon of `rings` rings of unit triangles about its middle node: 1 + 3 rings (rings + 1) nodes.
 Net hexagon(int rings) {
-  std::vector<Point> nodes;
+  std::vector<plane::Point> nodes;
   for (int a = -rings; a <= rings; ++a)
     for (int b = -rings; b <= rings; ++b)
       if (std::abs(a + b) <= rings) nodes.push_back({a + 0.5 * b, 0.5 * std::sqrt(3.0) * b});
@@ -46,18 +46,18 @@ Net hexagon(int rings) {
 }
 
 Net crossed(std::size_t columns, std::size_t rows, const char* topology = "crossed") {
-  return make_grid_net(rectangle_body({0, 0}, {static_cast<double>(columns - 1), static_cast<double>(rows - 1)}),
+  return make_grid_net(plane::rectangle_body({0, 0}, {static_cast<double>(columns - 1), static_cast<double>(rows - 1)}),
                        columns, rows, topology);
 }
 
 Net random_net(std::size_t count, std::uint64_t seed) {
   RandomStream random(seed);
-  std::vector<Point> nodes(count);
-  for (Point& p : nodes) p = {random.uniform(), random.uniform()};
+  std::vector<plane::Point> nodes(count);
+  for (plane::Point& p : nodes) p = {random.uniform(), random.uniform()};
   return joined_within(nodes, 2.0 / std::sqrt(static_cast<double>(count)));
 }
 
-Net turned(Net net, double angle, const Point& by, double scale = 1.0) {
+Net turned(Net net, double angle, const plane::Point& by, double scale = 1.0) {
   for (Vector& p : net.nodes)
     p = {by[0] + scale * (std::cos(angle) * p[0] - std::sin(angle) * p[1]),
          by[1] + scale * (std::sin(angle) * p[0] + std::cos(angle) * p[1]), 0.0};
@@ -118,7 +118,7 @@ TEST(Symmetry, IsOfNodesAndSprings) {
 // A ring whose spokes lean: all turns, no reflection. Every distance occurs as often as there are turns.
 TEST(Symmetry, CanBeOfTurnsOnly) {
   constexpr std::size_t n = 9;
-  std::vector<Point> nodes;
+  std::vector<plane::Point> nodes;
   std::vector<std::array<std::size_t, 2>> pairs;
   for (std::size_t i = 0; i < n; ++i) nodes.push_back({std::cos(2 * pi * i / n), std::sin(2 * pi * i / n)});
   for (std::size_t i = 0; i < n; ++i) nodes.push_back({2 * std::cos(2 * pi * i / n), 2 * std::sin(2 * pi * i / n)});
@@ -148,7 +148,7 @@ TEST(Symmetry, IsLostByAMoveBeyondItsTolerance) {
 TEST(Symmetry, DependsNeitherOnPlaceNorOnDirectionNorOnSize) {
   for (const Net& net : {hexagon(3), crossed(5, 5), crossed(4, 6, "alternating")})
     for (const double angle : {0.0, 0.3, 1.0, 2.5})
-      for (const Point& by : {Point{0, 0}, Point{1e5, -2e5}})
+      for (const plane::Point& by : {plane::Point{0, 0}, plane::Point{1e5, -2e5}})
         for (const double scale : {1.0, 1e3}) {
           const Net moved = turned(net, angle, by, scale);
           EXPECT_EQ(order(moved), order(net));
@@ -190,7 +190,7 @@ TEST(Symmetry, IsFoundInNetsOfThousandsOfNodes) {
   EXPECT_EQ(large.nodes.size(), 1951u);
   EXPECT_EQ(order(large), 12u);
   // Every node at the same distance: nothing is rare, and all turns hold.
-  std::vector<Point> ring;
+  std::vector<plane::Point> ring;
   std::vector<std::array<std::size_t, 2>> pairs;
   for (std::size_t i = 0; i < 2000; ++i) ring.push_back({std::cos(2 * pi * i / 2000), std::sin(2 * pi * i / 2000)});
   for (std::size_t i = 0; i < 2000; ++i) pairs.push_back({i, (i + 1) % 2000});

@@ -14,7 +14,7 @@
 #include "points/grid_points.h"
 #include "points/random_points.h"
 
-namespace nodal::elastic {
+namespace nodal::elastic::plane {
 namespace {
 
 std::size_t count(const PlacedPoints& points, NodeKind kind) {
@@ -325,4 +325,4 @@ TEST(Places, OfGivenPointsAreFound) {
 }
 
 }  // namespace
-}  // namespace nodal::elastic
+}  // namespace nodal::elastic::plane

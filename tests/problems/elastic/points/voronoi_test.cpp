@@ -15,7 +15,7 @@
 #include "points/iterated_voronoi.h"
 #include "points/random_points.h"
 
-namespace nodal::elastic {
+namespace nodal::elastic::plane {
 namespace {
 
 PlacedPoints random_points(const Outline& outline, std::size_t total, std::uint64_t seed,
@@ -173,14 +173,14 @@ TEST(IteratedVoronoi, FollowsThePapersFigure2) {
 
 // Many points approach regular hexagons: 5/(36√3), within 3 %. Squares, 1/12, would be 3.9 % above.
 TEST(IteratedVoronoi, ApproachesHexagons) {
-  EXPECT_NEAR(kHexagonalEnergy, 5.0 / (36.0 * std::numbers::sqrt3), 1e-15);
+  EXPECT_NEAR(plane::kHexagonalEnergy, 5.0 / (36.0 * std::numbers::sqrt3), 1e-15);
   const Outline outline(rectangle_body({0, 0}, {1, 1}));
   const PlacedPoints start = random_points(outline, 2000, 1);
   const IteratedVoronoi done = iterate_voronoi(outline, start, {.iterations = 200});
   expect_sound(outline, start, done);
-  EXPECT_NEAR(done.history.back().energy / kHexagonalEnergy, 1.0, 0.03);
-  EXPECT_NEAR(done.history.back().inner_energy / kHexagonalEnergy, 1.0, 0.03);
-  EXPECT_GT(done.history.back().inner_energy, kHexagonalEnergy);  // the least there is
+  EXPECT_NEAR(done.history.back().energy / plane::kHexagonalEnergy, 1.0, 0.03);
+  EXPECT_NEAR(done.history.back().inner_energy / plane::kHexagonalEnergy, 1.0, 0.03);
+  EXPECT_GT(done.history.back().inner_energy, plane::kHexagonalEnergy);  // the least there is
 }
 
 TEST(IteratedVoronoi, GivesTheSamePointsAgain) {
@@ -283,4 +283,4 @@ TEST_F(BodyFromElsewhere, IsTheSameHoweverItIsWritten) {
 }
 
 }  // namespace
-}  // namespace nodal::elastic
+}  // namespace nodal::elastic::plane

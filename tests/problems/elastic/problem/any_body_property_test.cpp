@@ -89,15 +89,15 @@ class StudyMaker {
     return table("body", body);
   }
 
-  std::string text_of(const Ring& ring) {
+  std::string text_of(const plane::Ring& ring) {
     std::vector<std::string> points;
-    for (const Point& p : ring) points.push_back(fmt::format("[{}, {}]", scale_ * p[0], scale_ * p[1]));
+    for (const plane::Point& p : ring) points.push_back(fmt::format("[{}, {}]", scale_ * p[0], scale_ * p[1]));
     return fmt::format("[{}]", fmt::join(points, ", "));
   }
 
-  std::vector<std::string> polygon(const std::vector<Ring>& rings) {
+  std::vector<std::string> polygon(const std::vector<plane::Ring>& rings) {
     rings_ = rings;
-    size_ = scale_ * bounding_box(rings[0]).size();
+    size_ = scale_ * plane::bounding_box(rings[0]).size();
     std::vector<std::string> holes;
     for (std::size_t r = 1; r < rings.size(); ++r) holes.push_back(text_of(rings[r]));
     std::vector<std::string> body = {"outline = " + text_of(rings[0])};
@@ -107,17 +107,18 @@ class StudyMaker {
 
   // Convex or spiky, slender or not, with and without a hole, one that may reach out of it.
   std::vector<std::string> star() {
-    std::vector<Ring> rings = random_star(random_).rings;
+    std::vector<plane::Ring> rings = random_star(random_).rings;
     slender_ = one_in(4);
     const double flat = slender_ ? power(5.0) : 1.0, away = one_in(10) ? power(8.0) : 0.0;
     const double reach = one_in(8) ? random_.uniform(0.5, 4.0) : 1.0;
     for (std::size_t r = 0; r < rings.size(); ++r)
-      for (Point& p : rings[r]) p = {(r > 0 ? reach : 1.0) * p[0] + away, flat * (r > 0 ? reach : 1.0) * p[1] - away};
+      for (plane::Point& p : rings[r])
+        p = {(r > 0 ? reach : 1.0) * p[0] + away, flat * (r > 0 ? reach : 1.0) * p[1] - away};
     return polygon(rings);
   }
 
   std::vector<std::string> degenerate() {
-    Ring ring;
+    plane::Ring ring;
     const std::size_t n = between(0, 9);
     const double height = one_in(2) ? 0.0 : power(12.0);
     switch (random_.index(6)) {
@@ -141,7 +142,7 @@ class StudyMaker {
     }
     if (ring.empty()) return {"outline = []"};
     if (one_in(3)) ring.insert(ring.begin() + static_cast<std::ptrdiff_t>(random_.index(ring.size())), ring.front());
-    std::vector<Ring> rings = {ring};
+    std::vector<plane::Ring> rings = {ring};
     if (one_in(4)) rings.push_back(ring);
     return polygon(rings);
   }
@@ -204,13 +205,14 @@ class StudyMaker {
 
   // Corners of the outline or none of them; spread, clustered, on a line, on a lattice, doubled.
   void write_points() {
-    std::vector<Point> points;
-    for (const Ring& ring : rings_)
+    std::vector<plane::Point> points;
+    for (const plane::Ring& ring : rings_)
       if (!one_in(4)) points.insert(points.end(), ring.begin(), ring.end());
-    Point low = {-1, -1}, high = {1, 1};
-    if (!rings_.empty() && !rings_[0].empty()) low = bounding_box(rings_[0]).low, high = bounding_box(rings_[0]).high;
+    plane::Point low = {-1, -1}, high = {1, 1};
+    if (!rings_.empty() && !rings_[0].empty())
+      low = plane::bounding_box(rings_[0]).low, high = plane::bounding_box(rings_[0]).high;
     const auto at = [&](double x, double y) {
-      return Point{low[0] + x * (high[0] - low[0]), low[1] + y * (high[1] - low[1])};
+      return plane::Point{low[0] + x * (high[0] - low[0]), low[1] + y * (high[1] - low[1])};
     };
     const std::size_t n = between(0, 25), kind = random_.index(5);
     const double tiny = std::pow(10.0, random_.uniform(-16.0, -1.0)), x = random_.uniform(), y = random_.uniform();
@@ -235,7 +237,7 @@ class StudyMaker {
     }
     std::ofstream file(directory_ / "nodes.csv");
     file << "x,y\n";
-    for (const Point& p : points) file << fmt::format("{},{}\n", scale_ * p[0], scale_ * p[1]);
+    for (const plane::Point& p : points) file << fmt::format("{},{}\n", scale_ * p[0], scale_ * p[1]);
   }
 
   // ── springs and what else there is
@@ -295,7 +297,7 @@ class StudyMaker {
   double scale_ = 1.0, size_ = 1.0;  // [m]
   std::string layout_topology_ = "delaunay";
   bool rectangle_ = false, slender_ = false;
-  std::vector<Ring> rings_;  // of a polygon, before scaling
+  std::vector<plane::Ring> rings_;  // of a polygon, before scaling
 };
 
 // The value, its gradient and the refined value at the start: numbers where the status is ok.

@@ -23,20 +23,20 @@ namespace {
 
 // ── a body with everything: teeth, a hole that fits no axis, points of iterated Voronoi regions, Delaunay springs
 
-std::string points_text(const Ring& ring) {
+std::string points_text(const plane::Ring& ring) {
   std::vector<std::string> points;
-  for (const Point& p : ring) points.push_back(fmt::format("[{}, {}]", p[0], p[1]));
+  for (const plane::Point& p : ring) points.push_back(fmt::format("[{}, {}]", p[0], p[1]));
   return fmt::format("[{}]", fmt::join(points, ", "));
 }
 
 std::string gear_study() {
-  Ring outline;
+  plane::Ring outline;
   for (int i = 0; i < 24; ++i) {
     const double angle = (static_cast<double>(i) + 0.2) * std::numbers::pi / 12.0;
     const double radius = i % 4 < 2 ? 1.0 : 0.75;
     outline.push_back({radius * std::cos(angle), radius * std::sin(angle)});
   }
-  const Ring hole = {{-0.2, -0.25}, {-0.2, 0.15}, {0.25, 0.3}, {0.3, -0.2}};
+  const plane::Ring hole = {{-0.2, -0.25}, {-0.2, 0.15}, {0.25, 0.3}, {0.3, -0.2}};
   return fmt::format(
       "[study]\nname = \"gear\"\n[problem]\nkind = \"elastic\"\nbody = {{ outline = {}, holes = [{}], thickness = 0.1 "
       "}}\n"
@@ -71,7 +71,7 @@ Scene held_scene(const Scene& scene, bool measured) {
 
 struct Change {
   const char* name;
-  Point shift = {0.0, 0.0};
+  plane::Point shift = {0.0, 0.0};
   double angle = 0.0;
   bool renumbered = false;
 };
@@ -108,8 +108,8 @@ class Copy {
     return old;
   }
   /// Where a place goes.
-  Point place(const Point& p) const {
-    const Point q = turned(p);
+  plane::Point place(const plane::Point& p) const {
+    const plane::Point q = turned(p);
     return {q[0] + change_.shift[0], q[1] + change_.shift[1]};
   }
 
@@ -122,7 +122,7 @@ class Copy {
     return permuted;
   }
 
-  Point turned(const Point& v) const {
+  plane::Point turned(const plane::Point& v) const {
     const double c = std::cos(change_.angle), s = std::sin(change_.angle);
     return {c * v[0] - s * v[1], s * v[0] + c * v[1]};
   }
@@ -130,7 +130,7 @@ class Copy {
   std::vector<double> moved(const std::vector<double>& vectors) const {
     std::vector<double> result(vectors.size());
     for (std::size_t i = 0; i < node_.size(); ++i) {
-      const Point v = turned({vectors[2 * i], vectors[2 * i + 1]});
+      const plane::Point v = turned({vectors[2 * i], vectors[2 * i + 1]});
       result[2 * node_[i]] = v[0];
       result[2 * node_[i] + 1] = v[1];
     }
@@ -139,8 +139,8 @@ class Copy {
 
   void move_net(const Net& from) {
     Net& net = scene_.net;
-    for (Ring& ring : net.body.rings)
-      for (Point& p : ring) p = place(p);
+    for (plane::Ring& ring : net.body.rings)
+      for (plane::Point& p : ring) p = place(p);
     for (std::size_t i = 0; i < node_.size(); ++i) {
       net.nodes[node_[i]] = lifted(place(in_plane(from.nodes[i])));
       net.kinds[node_[i]] = from.kinds[i];
@@ -159,7 +159,7 @@ class Copy {
   void move_supports(SupportGroup& group) const {
     std::vector<Support> moved;
     for (std::size_t s = 0; s < group.supports.size(); s += 2) {
-      const Point at = turned({group.supports[s].value, group.supports[s + 1].value});
+      const plane::Point at = turned({group.supports[s].value, group.supports[s + 1].value});
       for (const std::size_t axis : {std::size_t{0}, std::size_t{1}})
         moved.push_back({node_[group.supports[s].node], axis, at[axis]});
     }
@@ -265,7 +265,7 @@ TEST(Selection, IsThatOfTheCopy) {
   for (std::size_t side = 0; side < scene.net.body.rings[0].size(); ++side)
     edges.push_back("side-" + std::to_string(side));
   RandomStream random(9);
-  std::vector<Point> places;
+  std::vector<plane::Point> places;
   for (int i = 0; i < 50; ++i) places.push_back({random.uniform(-1.2, 1.2), random.uniform(-1.2, 1.2)});
   for (const Change& change : kChanges) {
     SCOPED_TRACE(change.name);
@@ -276,8 +276,8 @@ TEST(Selection, IsThatOfTheCopy) {
     EXPECT_EQ(net.kinds, kinds);
     for (const std::string& edge : edges)
       EXPECT_EQ(selected("edge", edge, net), copy.nodes(selected("edge", edge, scene.net))) << edge;
-    for (const Point& p : places) {
-      const Point q = copy.place(p);
+    for (const plane::Point& p : places) {
+      const plane::Point q = copy.place(p);
       EXPECT_EQ(selected("near", Value::List{p[0], p[1]}, scene.net).size(), 1u);
       EXPECT_EQ(selected("near", Value::List{q[0], q[1]}, net),
                 copy.nodes(selected("near", Value::List{p[0], p[1]}, scene.net)));

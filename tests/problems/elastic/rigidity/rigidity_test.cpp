@@ -26,8 +26,8 @@ struct Frame {
 
 Structure plane(const Frame& frame) { return {2, frame.nodes, frame.springs}; }
 
-Frame grid(std::size_t columns, std::size_t rows, const char* topology, const Point& corner = {0, 0}) {
-  const Body body = rectangle_body(corner, {static_cast<double>(columns - 1), static_cast<double>(rows - 1)});
+Frame grid(std::size_t columns, std::size_t rows, const char* topology, const plane::Point& corner = {0, 0}) {
+  const Body body = plane::rectangle_body(corner, {static_cast<double>(columns - 1), static_cast<double>(rows - 1)});
   const bool bare = std::string(topology) == "grid";
   const Net net = make_grid_net(body, columns, rows, bare ? "single" : topology);
   Frame frame{net.nodes, net.springs};

@@ -11,7 +11,7 @@ using Known = std::vector<std::array<bool, 2>>;
 Scene plate_scene() {
   const Material material;
   Scene scene;
-  scene.net = make_grid_net(rectangle_body({0.0, 0.0}, {3.0, 2.0}), 4, 3, "crossed");
+  scene.net = make_grid_net(plane::rectangle_body({0.0, 0.0}, {3.0, 2.0}), 4, 3, "crossed");
   scene.material = material;
   scene.loads = make_basic_loads(scene.net, material, 1.0, SupportStyle::edge);
   scene.initial_stiffness.assign(scene.net.springs.size(), 0.5);

@@ -219,8 +219,8 @@ inline SystemDetails make_details(std::size_t iterations) {
     details.iterations.push_back({.iteration = i,
                                   .distance_deviation = 0.1 + 0.4 * left,
                                   .area_deviation = 0.2 + 0.6 * left,
-                                  .energy = kHexagonalEnergy * (1.03 + left),
-                                  .inner_energy = kHexagonalEnergy * (1.02 + 0.75 * left)});
+                                  .energy = plane::kHexagonalEnergy * (1.03 + left),
+                                  .inner_energy = plane::kHexagonalEnergy * (1.02 + 0.75 * left)});
   }
   details.masses = MassDetails{"positive", "all moments are the body's", 0.125, 6, {{"∫1", 0.0}, {"∫x²", 2.5e-15}}};
   return details;

@@ -38,7 +38,7 @@ TEST(Connections, FlipsCrossAnInnerSideOfAConvexQuadrilateralOnly) {
 // Node 3 lies 1e-4 above the middle of the lower border: the triangle below it is a sliver with its long side on the
 // border. The same triangle turned over, its long side inside, stays.
 TEST(Connections, SliversAreDroppedFromTheBorderAlone) {
-  const std::vector<Point> nodes = {{0, 0}, {2, 0}, {1, 1}, {1, 1e-4}, {1, -1}};
+  const std::vector<plane::Point> nodes = {{0, 0}, {2, 0}, {1, 1}, {1, 1e-4}, {1, -1}};
   std::vector<Triangle> border = {{0, 1, 3}, {0, 3, 2}, {3, 1, 2}};
   EXPECT_EQ(drop_slivers(nodes, border, kLeastTriangleHeight), 1u);
   EXPECT_EQ(border, (std::vector<Triangle>{{0, 3, 2}, {3, 1, 2}}));
@@ -51,7 +51,7 @@ TEST(Connections, SliversAreDroppedFromTheBorderAlone) {
 TEST(Connections, NearestOnesAreTheNearest) {
   RandomStream random(5);
   for (int round = 0; round < 30; ++round) {
-    std::vector<Point> nodes;
+    std::vector<plane::Point> nodes;
     const double height = round % 3 == 0 ? 1e-3 : 1.0;
     for (int i = 0; i < 60; ++i) {
       const bool clustered = round % 2 == 1 && i % 2 == 1;
@@ -62,7 +62,7 @@ TEST(Connections, NearestOnesAreTheNearest) {
     for (std::size_t i = 0; i < nodes.size(); ++i) {
       std::vector<std::pair<double, std::size_t>> by_distance;
       for (std::size_t j = 0; j < nodes.size(); ++j)
-        if (j != i) by_distance.emplace_back(distance(nodes[i], nodes[j]), j);
+        if (j != i) by_distance.emplace_back(plane::distance(nodes[i], nodes[j]), j);
       std::ranges::sort(by_distance);
       for (std::size_t k = 0; k < count; ++k) expected.insert(std::minmax(i, by_distance[k].second));
     }
@@ -82,7 +82,7 @@ constexpr const char* kNotched =
     "{ outline = [[0, 0], [3, 0], [3, 3], [1.6, 3], [1.6, 1], [1.4, 1], [1.4, 3], [0, 3]] }";
 
 void expect_within(const Net& net) {
-  const Outline outline(net.body);
+  const plane::Outline outline(net.body);
   for (const Spring& s : net.springs)
     EXPECT_TRUE(outline.covers(in_plane(net.nodes[s.first]), in_plane(net.nodes[s.second])))
         << s.first << "-" << s.second;
@@ -129,7 +129,7 @@ TEST(Connections, RegionsThatTouchAreDelaunayNeighbours) {
   if (!triangulation_available()) GTEST_SKIP() << "needs CGAL";
   const auto regions = problem("{ size = [2, 1] }", "{ layout = \"voronoi\", total = 80, iterations = 3 }",
                                "{ topology = \"voronoi-neighbours\" }");
-  const Neighbours neighbours = delaunay_neighbours(in_plane(regions->net().nodes));
+  const plane::Neighbours neighbours = plane::delaunay_neighbours(in_plane(regions->net().nodes));
   for (const Spring& s : regions->net().springs) {
     const auto of = neighbours.of(s.first);
     EXPECT_TRUE(std::ranges::find(of, s.second) != of.end());

@@ -149,7 +149,7 @@ class StiffnessFile : public testing::Test {
     }
     return "accepted";
   }
-  Net net_ = make_grid_net(rectangle_body({0, 0}, {1, 1}), 2, 2, "single");  // springs 01 02 03 13 23
+  Net net_ = make_grid_net(plane::rectangle_body({0, 0}, {1, 1}), 2, 2, "single");  // springs 01 02 03 13 23
   std::filesystem::path path_;
 };
 

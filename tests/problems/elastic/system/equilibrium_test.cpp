@@ -14,7 +14,7 @@ namespace {
 // A scene of n nodes in a row on the x axis: a chain, held in y everywhere.
 Scene chain(std::size_t nodes, std::vector<Support> supports) {
   Scene scene;
-  scene.net.body = rectangle_body({0, 0}, {static_cast<double>(nodes - 1), 1.0});
+  scene.net.body = plane::rectangle_body({0, 0}, {static_cast<double>(nodes - 1), 1.0});
   for (std::size_t i = 0; i < nodes; ++i) scene.net.nodes.push_back({static_cast<double>(i), 0.0});
   for (std::size_t i = 0; i + 1 < nodes; ++i) scene.net.springs.push_back({i, i + 1, 1.0, {1.0, 0.0}});
   for (std::size_t i = 0; i < nodes; ++i) supports.push_back({i, 1, 0.0});

@@ -70,11 +70,13 @@ class Truss : public StudyFiles {
   Truss() {
     write("nodes.csv", kNodes);
     const auto place = [](std::size_t node) {
-      return node < 5 ? Point{0, height(node - 1)} : node < 8 ? Point{1, height(node - 4)} : Point{2, height(node - 8)};
+      return node < 5   ? plane::Point{0, height(node - 1)}
+             : node < 8 ? plane::Point{1, height(node - 4)}
+                        : plane::Point{2, height(node - 8)};
     };
     std::string rows = "first,second,stiffness\n", pairs = "first,second\n";
     for (const auto& [a, b] : kBars) {
-      const Point from = place(a), to = place(b);
+      const plane::Point from = place(a), to = place(b);
       rows += fmt::format("{},{},{}\n", a, b, 1.0 / std::hypot(to[0] - from[0], to[1] - from[1]));
       pairs += fmt::format("{},{}\n", a, b);
     }

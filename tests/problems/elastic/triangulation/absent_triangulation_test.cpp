@@ -11,7 +11,7 @@
 #include "points/iterated_voronoi.h"
 #include "triangulation/triangulation.h"
 
-namespace nodal::elastic {
+namespace nodal::elastic::plane {
 namespace {
 
 TEST(AbsentTriangulation, SaysWhatToInstall) {
@@ -55,4 +55,4 @@ TEST(AbsentTriangulation, IsSaidOfAStudyWithItsPlace) {
 }
 
 }  // namespace
-}  // namespace nodal::elastic
+}  // namespace nodal::elastic::plane

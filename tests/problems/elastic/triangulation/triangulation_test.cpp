@@ -13,7 +13,7 @@
 #include "points/random_points.h"
 #include "triangulation/triangulation.h"
 
-namespace nodal::elastic {
+namespace nodal::elastic::plane {
 namespace {
 
 double twice_area(const Point& a, const Point& b, const Point& c) {
@@ -149,4 +149,4 @@ TEST(ConstrainedTriangles, SayWhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace nodal::elastic
+}  // namespace nodal::elastic::plane

@@ -34,7 +34,8 @@ class Account {
   [[nodiscard]] std::string detail_of(std::string_view stage) const;
 
   Value data = {};  ///< a table, for the report: "voronoi", "masses", "supports", "selections" where there are such
-  std::vector<std::vector<Ring>> regions = {};  ///< [nodes] of each Voronoi region in the body, to be drawn; or empty
+  std::vector<std::vector<plane::Ring>> regions =
+      {};  ///< [nodes] of each Voronoi region in the body, to be drawn; or empty
 
  private:
   [[nodiscard]] Stage* find(std::string_view stage);

@@ -29,7 +29,7 @@ inline constexpr double kPlaceRounding = 1e-9;
 
 struct Body {
   std::string name = "";                  ///< for people: "rectangle 4 × 4", "gear.wkt"
-  std::vector<Ring> rings;                ///< [0] the outline, counterclockwise; then holes, clockwise
+  std::vector<plane::Ring> rings;         ///< [0] the outline, counterclockwise; then holes, clockwise
   std::vector<std::string> remarks = {};  ///< what was mended when it was read
   std::optional<Extent> box = {};         ///< the body in space, which has no rings
   double thickness = 1.0;                 ///< 1 in space
@@ -45,6 +45,8 @@ struct Body {
     return ring < turned.size() && turned[ring] ? rings[ring].size() - 1 - number : number;
   }
 };
+
+namespace plane {
 
 struct Box {
   Point low = {0.0, 0.0}, high = {0.0, 0.0};
@@ -86,16 +88,22 @@ struct Moments {
 [[nodiscard]] Body ring_body(const Point& centre, double radius, double hole, std::size_t sides,
                              double thickness = 1.0);
 
+/// True inside the material or within the outline's tolerance of it. Cost     one pass over the sides; for many points
+/// there is geometry/plane/outline.h.
+[[nodiscard]] bool contains(const Body& body, const Point& point);
+
+/// The vertices at which a ring turns by more than `turn`, by more than rounding (1e-6), ascending.
+[[nodiscard]] std::vector<std::size_t> corner_vertices(const Ring& ring, double turn);
+
+}  // namespace plane
+
+namespace space {
+
 /// The upright box from `corner` on, in space, metres. Refusal for sizes that are not positive, anything that is not
 /// finite, sides below 1e-100 m or above 1e100 m, and a box so far from the origin that its places are rounded by more
 /// than kPlaceRounding of its size.
 [[nodiscard]] Body box_body(const Vector& corner, const Vector& size);
 
-/// True inside the material or within the outline's tolerance of it. Cost     one pass over the sides; for many points
-/// there is body/outline.h.
-[[nodiscard]] bool contains(const Body& body, const Point& point);
-
-/// The vertices at which a ring turns by more than `turn`, by more than rounding (1e-6), ascending.
-[[nodiscard]] std::vector<std::size_t> corner_vertices(const Ring& ring, double turn);
+}  // namespace space
 
 }  // namespace nodal::elastic

@@ -12,15 +12,19 @@
 
 namespace nodal::elastic {
 
+namespace plane {
+
 using Point = std::array<double, 2>;
 
 /// A closed polygon: the last vertex is joined to the first, which isn't repeated.
 using Ring = std::vector<Point>;
 
+}  // namespace plane
+
 /// A position of a plane net, whose third component is 0, and back.
-[[nodiscard]] inline Point in_plane(const Vector& v) { return {v[0], v[1]}; }
-[[nodiscard]] inline Vector lifted(const Point& p) { return {p[0], p[1], 0.0}; }
-[[nodiscard]] std::vector<Point> in_plane(const std::vector<Vector>& positions);
-[[nodiscard]] std::vector<Vector> lifted(const std::vector<Point>& points);
+[[nodiscard]] inline plane::Point in_plane(const Vector& v) { return {v[0], v[1]}; }
+[[nodiscard]] inline Vector lifted(const plane::Point& p) { return {p[0], p[1], 0.0}; }
+[[nodiscard]] std::vector<plane::Point> in_plane(const std::vector<Vector>& positions);
+[[nodiscard]] std::vector<Vector> lifted(const std::vector<plane::Point>& points);
 
 }  // namespace nodal::elastic

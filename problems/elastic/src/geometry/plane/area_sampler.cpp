@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace nodal::elastic {
+namespace nodal::elastic::plane {
 
 namespace {
 
@@ -78,4 +78,4 @@ Point AreaSampler::draw(RandomStream& random) const {
   return {left + across * (right - left), t.low + share * (t.high - t.low)};
 }
 
-}  // namespace nodal::elastic
+}  // namespace nodal::elastic::plane

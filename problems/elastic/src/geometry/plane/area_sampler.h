@@ -13,7 +13,7 @@
 
 #include "geometry/plane/outline.h"
 
-namespace nodal::elastic {
+namespace nodal::elastic::plane {
 
 class AreaSampler {
  public:
@@ -32,4 +32,4 @@ class AreaSampler {
   std::vector<double> areas_up_to_;  // [trapezoids] summed
 };
 
-}  // namespace nodal::elastic
+}  // namespace nodal::elastic::plane

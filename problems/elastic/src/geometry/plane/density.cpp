@@ -11,7 +11,7 @@
 
 #include <nodal/error.h>
 
-namespace nodal::elastic {
+namespace nodal::elastic::plane {
 
 namespace {
 
@@ -155,4 +155,4 @@ void Density::add_edge(const Point& node, const Point& a, const Point& b, Weight
   }
 }
 
-}  // namespace nodal::elastic
+}  // namespace nodal::elastic::plane

@@ -14,7 +14,7 @@
 
 #include <nodal/elastic/point.h>
 
-namespace nodal::elastic {
+namespace nodal::elastic::plane {
 
 /// Near the centre there are `factor` times as many points per area as elsewhere (in the limit of many, Lloyd's
 /// iteration gives √factor times).
@@ -50,4 +50,4 @@ class Density {
   std::vector<DensitySpot> spots_;
 };
 
-}  // namespace nodal::elastic
+}  // namespace nodal::elastic::plane

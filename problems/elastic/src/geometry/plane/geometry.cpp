@@ -6,7 +6,7 @@
 
 #include "geometry/plane/segment.h"
 
-namespace nodal::elastic {
+namespace nodal::elastic::plane {
 
 namespace {
 
@@ -93,4 +93,4 @@ std::vector<std::size_t> corner_vertices(const Ring& ring, double turn) {
   return corners;
 }
 
-}  // namespace nodal::elastic
+}  // namespace nodal::elastic::plane

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace nodal::elastic {
+namespace nodal::elastic::plane {
 
 namespace {
 
@@ -108,4 +108,4 @@ void ClippedRegion::join_runs() {
   }
 }
 
-}  // namespace nodal::elastic
+}  // namespace nodal::elastic::plane

@@ -16,7 +16,7 @@
 
 #include <nodal/elastic/point.h>
 
-namespace nodal::elastic {
+namespace nodal::elastic::plane {
 
 struct LabelledVertex {
   Point at = {0.0, 0.0};
@@ -54,4 +54,4 @@ class ClippedRegion {
   std::vector<char> taken_;
 };
 
-}  // namespace nodal::elastic
+}  // namespace nodal::elastic::plane

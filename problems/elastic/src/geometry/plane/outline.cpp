@@ -8,7 +8,7 @@
 
 #include "geometry/plane/segment.h"
 
-namespace nodal::elastic {
+namespace nodal::elastic::plane {
 
 namespace {
 
@@ -143,4 +143,4 @@ double Outline::clearance(double spacing) const {
 
 double even_spacing(double area, double count) { return std::sqrt(2.0 * area / (std::numbers::sqrt3 * count)); }
 
-}  // namespace nodal::elastic
+}  // namespace nodal::elastic::plane

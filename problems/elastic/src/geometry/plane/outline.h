@@ -20,7 +20,7 @@
 
 #include "geometry/plane/ring_tree.h"
 
-namespace nodal::elastic {
+namespace nodal::elastic::plane {
 
 struct Chain {
   std::size_t ring = 0;
@@ -96,4 +96,4 @@ class Outline {
 /// many.
 [[nodiscard]] double even_spacing(double area, double count);
 
-}  // namespace nodal::elastic
+}  // namespace nodal::elastic::plane

@@ -11,7 +11,7 @@
 #include "geometry/plane/segment.h"
 #include "geometry/plane/side_conflict.h"
 
-namespace nodal::elastic {
+namespace nodal::elastic::plane {
 
 namespace {
 
@@ -213,4 +213,4 @@ Body checked_body(std::vector<Ring> rings, std::string name, double thickness, d
   return body;
 }
 
-}  // namespace nodal::elastic
+}  // namespace nodal::elastic::plane

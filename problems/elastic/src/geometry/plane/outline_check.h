@@ -26,7 +26,7 @@
 #include <nodal/elastic/body.h>
 #include <nodal/error.h>
 
-namespace nodal::elastic {
+namespace nodal::elastic::plane {
 
 /// The second moments are fourth powers of lengths; within these they and their sums stay in double precision.
 inline constexpr double kLargestCoordinate = 1e75, kSmallestBody = 1e-75;
@@ -40,4 +40,4 @@ inline constexpr std::size_t kMostHoles = 10000;
 [[nodiscard]] Body checked_body(std::vector<Ring> rings, std::string name, double thickness, double corner_turn,
                                 const Source& source);
 
-}  // namespace nodal::elastic
+}  // namespace nodal::elastic::plane

@@ -5,7 +5,7 @@
 
 #include "geometry/plane/segment.h"
 
-namespace nodal::elastic {
+namespace nodal::elastic::plane {
 
 namespace {
 
@@ -127,4 +127,4 @@ void RingTree::shorten_below(std::size_t index, const Box& box, Ring& shortened)
   }
 }
 
-}  // namespace nodal::elastic
+}  // namespace nodal::elastic::plane

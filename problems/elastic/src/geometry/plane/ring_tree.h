@@ -14,7 +14,7 @@
 
 #include <nodal/elastic/body.h>
 
-namespace nodal::elastic {
+namespace nodal::elastic::plane {
 
 /// The nearest place found so far; `squared` may start as the square of a distance beyond which nothing is of interest.
 struct NearestSide {
@@ -69,4 +69,4 @@ class RingTree {
   std::vector<Node> nodes_;
 };
 
-}  // namespace nodal::elastic
+}  // namespace nodal::elastic::plane

@@ -8,7 +8,7 @@
 
 #include <nodal/elastic/point.h>
 
-namespace nodal::elastic {
+namespace nodal::elastic::plane {
 
 /// Where on the segment p–q the nearest place to a point is: 0 at p, 1 at q.
 [[nodiscard]] inline double nearest_share(const Point& point, const Point& p, const Point& q) {
@@ -27,4 +27,4 @@ namespace nodal::elastic {
   return distance(point, at_share(p, q, nearest_share(point, p, q)));
 }
 
-}  // namespace nodal::elastic
+}  // namespace nodal::elastic::plane

@@ -8,7 +8,7 @@
 
 #include <nodal/error.h>
 
-namespace nodal::elastic {
+namespace nodal::elastic::plane {
 
 namespace {
 
@@ -72,4 +72,4 @@ Body ring_body(const Point& centre, double radius, double hole, std::size_t side
   return body;
 }
 
-}  // namespace nodal::elastic
+}  // namespace nodal::elastic::plane

@@ -6,7 +6,7 @@
 
 #include "geometry/plane/segment.h"
 
-namespace nodal::elastic {
+namespace nodal::elastic::plane {
 
 namespace {
 
@@ -131,4 +131,4 @@ std::optional<SideConflict> find_side_conflict(const std::vector<Ring>& rings, d
   return {};
 }
 
-}  // namespace nodal::elastic
+}  // namespace nodal::elastic::plane

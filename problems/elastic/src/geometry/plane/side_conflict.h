@@ -9,7 +9,7 @@
 
 #include <nodal/elastic/point.h>
 
-namespace nodal::elastic {
+namespace nodal::elastic::plane {
 
 /// A vertex or side of a ring: both are numbered from 0, and side i runs from vertex i to the next.
 struct RingPlace {
@@ -40,4 +40,4 @@ struct SideConflict {
 ///          vertices, 0.2 s for a star of 5,000 thin spikes.
 [[nodiscard]] std::optional<SideConflict> find_side_conflict(const std::vector<Ring>& rings, double tolerance);
 
-}  // namespace nodal::elastic
+}  // namespace nodal::elastic::plane

@@ -13,7 +13,7 @@
 
 #include "geometry/plane/segment.h"
 
-namespace nodal::elastic {
+namespace nodal::elastic::plane {
 
 namespace {
 
@@ -170,4 +170,4 @@ std::vector<Ring> VoronoiCells::rings(std::size_t node) {
   return rings;
 }
 
-}  // namespace nodal::elastic
+}  // namespace nodal::elastic::plane

@@ -22,7 +22,7 @@
 #include "geometry/plane/outline.h"
 #include "triangulation/triangulation.h"
 
-namespace nodal::elastic {
+namespace nodal::elastic::plane {
 
 struct CellSums {
   double area = 0.0;
@@ -71,4 +71,4 @@ class VoronoiCells {
   std::vector<std::size_t> seen_;  // [nodes] the last cell (plus 1) that this was seen a neighbour of
 };
 
-}  // namespace nodal::elastic
+}  // namespace nodal::elastic::plane

@@ -9,7 +9,7 @@
 
 #include <nodal/error.h>
 
-namespace nodal::elastic {
+namespace nodal::elastic::space {
 
 namespace {
 
@@ -46,4 +46,4 @@ Body box_body(const Vector& corner, const Vector& size) {
   return body;
 }
 
-}  // namespace nodal::elastic
+}  // namespace nodal::elastic::space

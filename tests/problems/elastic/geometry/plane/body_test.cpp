@@ -15,7 +15,7 @@
 #include "geometry/plane/segment.h"
 #include "read/body_options.h"
 
-namespace nodal::elastic {
+namespace nodal::elastic::plane {
 namespace {
 
 using toy::message_of;
@@ -430,4 +430,4 @@ TEST(BodyOptions, TellWhatWasMended) {
 }
 
 }  // namespace
-}  // namespace nodal::elastic
+}  // namespace nodal::elastic::plane

@@ -8,7 +8,7 @@
 
 #include "../../../../support/messages.h"
 
-namespace nodal::elastic {
+namespace nodal::elastic::plane {
 namespace {
 
 using toy::message_of;
@@ -200,4 +200,4 @@ TEST(OutlineCheck, TakesLargeOutlines) {
 }
 
 }  // namespace
-}  // namespace nodal::elastic
+}  // namespace nodal::elastic::plane

@@ -11,7 +11,7 @@
 
 #include "geometry/plane/outline_check.h"
 
-namespace nodal::elastic {
+namespace nodal::elastic::plane {
 namespace {
 
 // ── an independent judge: all pairs, in long double
@@ -267,4 +267,4 @@ TEST(OutlineProperties, RandomRingsMakeABodyOrARefusalAndNothingElse) {
 }
 
 }  // namespace
-}  // namespace nodal::elastic
+}  // namespace nodal::elastic::plane

@@ -9,7 +9,7 @@
 #include "geometry/plane/outline.h"
 #include "geometry/plane/segment.h"
 
-namespace nodal::elastic {
+namespace nodal::elastic::plane {
 namespace {
 
 TEST(Outline, HasAChainFromEachCornerToTheNext) {
@@ -108,4 +108,4 @@ TEST(Outline, CoversSegmentsThatStayInTheBody) {
 TEST(Outline, IsRefusedForABodyWithoutOne) { EXPECT_THROW(Outline{Body{}}, std::invalid_argument); }
 
 }  // namespace
-}  // namespace nodal::elastic
+}  // namespace nodal::elastic::plane

@@ -11,6 +11,6 @@
 namespace nodal::elastic {
 
 /// InputError for a ring without points or whose last point isn't its first; ring 0 is the outline.
-void require_closed(const Ring& ring, std::size_t number, const Source& source);
+void require_closed(const plane::Ring& ring, std::size_t number, const Source& source);
 
 }  // namespace nodal::elastic
