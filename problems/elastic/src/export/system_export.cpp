@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "export/system_format.h"
+
 namespace nodal::elastic {
 
 namespace {
@@ -58,5 +60,8 @@ std::string system_json(const ElasticProblem& problem, const std::vector<double>
   details.groups = every_group(problem);
   return system_json(problem.net(), stiffness, details);
 }
+
+extern const SystemFormat kSystemJson = {
+    .name = "system", .extension = ".json", .summary = "JSON", .write = system_json, .read = read_stiffness_file};
 
 }  // namespace nodal::elastic

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "read/read_start.h"
 
-#include <nodal/elastic/stiffness.h>
-
 #include <cmath>
 #include <stdexcept>
 
@@ -10,6 +8,7 @@
 
 #include <nodal/error.h>
 
+#include "export/system_format.h"
 #include "starts/energy_start.h"
 #include "starts/start_rule.h"
 #include "starts/stiffness_bounds.h"
@@ -116,7 +115,7 @@ std::string read_given_start(const StartRequest& request, Scene& scene) {
   if (table.has("file")) {
     if (table.has("scale")) throw InputError(initial.source, "'scale' belongs to a rule; a file is taken as it is");
     InputFiles& files = request.context.files;
-    scene.initial_stiffness = read_stiffness_file(files, files.path(table.text("file")), scene.net);
+    scene.initial_stiffness = read_back(system_formats(), files, files.path(table.text("file")), scene.net);
     require_within_bounds(scene.initial_stiffness, initial.source, request.bounds_origin, scene);
     return "file " + table.text("file");
   }

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "show/exhibit.h"
 
+#include <stdexcept>
+
 #include <fmt/format.h>
 
 #include <nodal/elastic/determination.h>
 #include <nodal/elastic/pruning.h>
-#include <nodal/elastic/stiffness.h>
 
+#include "export/system_format.h"
 #include "show/drawing_cost.h"
 #include "show/make_picture.h"
 #include "show/picture_svg.h"
@@ -51,7 +53,8 @@ std::vector<double> ElasticExhibit::values(std::span<const double> x) const { re
 std::vector<double> ElasticExhibit::start() const { return problem_.start_stiffness(); }
 
 std::vector<double> ElasticExhibit::read(const std::filesystem::path& file) const {
-  return read_stiffness_file(file, problem_.net());
+  InputFiles files;
+  return read_back(system_formats(), files, file, problem_.net());
 }
 
 std::unique_ptr<ShownSystem> ElasticExhibit::show(const std::string& label, std::span<const double> stiffness) const {
@@ -73,10 +76,18 @@ ReportPart ElasticExhibit::report(const std::string& label, std::span<const Labe
   return {pictures_html(pictures), std::string(picture_css()) + std::string(pictures_css()), {}};
 }
 
-std::vector<ExportFormat> ElasticExhibit::formats() const { return {{"system", ".json", "JSON"}}; }
+std::vector<ExportFormat> ElasticExhibit::formats() const {
+  std::vector<ExportFormat> formats;
+  for (const SystemFormat* format : system_formats())
+    formats.push_back(
+        {std::string(format->name), std::string(format->extension), std::string(format->summary), format->lacking()});
+  return formats;
+}
 
-std::string ElasticExhibit::write(const ExportFormat& /*format*/, std::span<const double> stiffness) const {
-  return system_json(problem_, {stiffness.begin(), stiffness.end()});
+std::string ElasticExhibit::write(const ExportFormat& format, std::span<const double> stiffness) const {
+  const SystemFormat* known = find_named(system_formats(), format.name);
+  if (!known) throw std::logic_error("no format of the elastic problem is called '" + format.name + "'");
+  return known->write(problem_, {stiffness.begin(), stiffness.end()});
 }
 
 Reduced ElasticExhibit::reduce(std::span<const double> stiffness, double most_loss) const {
