@@ -75,7 +75,7 @@ const BadStudy kBadStudies[] = {
     {"UnknownTopology", "springs", "springs = { topology = \"cross\" }",
      "plate.toml:11: unknown topology 'cross'; did you mean 'crossed'?"},
     {"Mechanism", "springs", "springs = { topology = \"grid\" }",
-     "plate.toml:11: topology 'grid' is a mechanism: without diagonals its cells shear without resistance; take "
+     "plate.toml:11: topology 'grid' is a mechanism: no diagonals, so its cells shear without resistance; take "
      "springs = { topology = \"crossed\" }, or \"single\" or \"alternating\""},
     {"TwoOptimizersOfOneLabel", "optimizer", "[[optimizer]]\nuse = \"annealing\"\n[[optimizer]]\nuse = \"annealing\"",
      "plate.toml:14: two optimizers have the label 'annealing' (the other is on line 12); give one a 'label' of its "

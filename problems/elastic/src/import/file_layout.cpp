@@ -24,13 +24,24 @@ LaidNodes read_nodes(const LayoutRequest& request) {
   return laid;
 }
 
+OptionSchema file_options() {
+  return {
+      {.name = "file",
+       .type = OptionType::text,
+       .help = "nodes of your own: CSV with columns x, y and if you like node (a number that names it) and mass, or a "
+               "system file as 'nodal fit --export' writes it"},
+      columns_option({"node", "x", "y", "mass"}),
+      scale_option("its coordinates"),
+  };
+}
+
 }  // namespace
 
-const Layout kFileLayout = {.name = "file",
-                            .summary = "as a file says",
-                            .connection = "delaunay",
-                            .keys = {"file", "columns", "scale"},
-                            .without_outline = true,
-                            .make = read_nodes};
+extern const Layout kFileLayout = {.name = "file",
+                                   .summary = "as a file says",
+                                   .connection = "delaunay",
+                                   .options = file_options,
+                                   .without_outline = true,
+                                   .make = read_nodes};
 
 }  // namespace nodal::elastic

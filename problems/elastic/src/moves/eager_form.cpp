@@ -53,7 +53,7 @@ Work EagerForm::solver_work() const {
                                .rank_one_updates = changes_});
 }
 
-const PricingFormDescription kEagerForm = {
+extern const PricingFormDescription kEagerForm = {
     .name = "eager",
     .summary = "keeps a price list of all springs",
     .listed = true,

@@ -5,8 +5,15 @@
 
 namespace nodal::elastic {
 
+extern const PricingFormDescription kEagerForm;     // eager_form.cpp
+extern const PricingFormDescription kLazyForm;      // lazy_form.cpp
+extern const PricingFormDescription kRefactorForm;  // refactor_form.cpp
+extern const PricingFormDescription kUpdownForm;    // updown_form.cpp
+
 Table<PricingFormDescription> pricing_forms() {
-  static constexpr std::array kForms = {&kEagerForm, &kLazyForm, &kRefactorForm, &kUpdownForm, &kFullForm};
+  static constexpr std::array kForms = {
+      &kEagerForm, &kLazyForm, &kRefactorForm, &kUpdownForm, &kFullForm,
+  };
   return kForms;
 }
 

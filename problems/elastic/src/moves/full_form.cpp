@@ -11,7 +11,7 @@ FormCost costs(const PricingSizes& s) { return {.price = s.value(), .bytes = 8.0
 
 }  // namespace
 
-const PricingFormDescription kFullForm = {
+extern const PricingFormDescription kFullForm = {
     .name = "full",
     .summary = "evaluates each proposal by CHOLMOD",
     .cost = costs,

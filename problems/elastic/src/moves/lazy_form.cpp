@@ -84,7 +84,7 @@ Work LazyForm::work() const {
                               .rank_one_updates = changes_});
 }
 
-const PricingFormDescription kLazyForm = {
+extern const PricingFormDescription kLazyForm = {
     .name = "lazy",
     .summary = "solves for each proposal",
     .cost = costs,

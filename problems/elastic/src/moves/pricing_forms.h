@@ -2,7 +2,7 @@
 #pragma once
 
 /// The forms of pricing that there are, and what the choice between them goes by. A form is a constant in its own file,
-/// and a line of the list in forms.cpp.
+/// and a row of the list in forms.cpp.
 ///
 /// Costs are in block units: one 2×2 block of the factor, read once by all lanes (one to two nanoseconds on today's
 /// processors). They are estimated from timings of the kernels; only their ratios matter.
@@ -53,11 +53,8 @@ struct PricingFormDescription {
   std::unique_ptr<PricingForm> (*make)(const ElasticModel& model, const LaneModel& lanes);
 };
 
-extern const PricingFormDescription kEagerForm;     // eager_form.cpp
-extern const PricingFormDescription kLazyForm;      // lazy_form.cpp
-extern const PricingFormDescription kRefactorForm;  // refactor_form.cpp
-extern const PricingFormDescription kUpdownForm;    // updown_form.cpp
-extern const PricingFormDescription kFullForm;      // full_form.cpp: the one that remains where no other will do
+// The one that remains where no other will do.
+extern const PricingFormDescription kFullForm;  // full_form.cpp
 
 /// All of them, as people are told of them; of two that cost the same the first is taken.
 [[nodiscard]] Table<PricingFormDescription> pricing_forms();

@@ -73,7 +73,7 @@ Work RefactorForm::work() const {
   return total;
 }
 
-const PricingFormDescription kRefactorForm = {
+extern const PricingFormDescription kRefactorForm = {
     .name = "refactor",
     .summary = "factors for each (all three for all support groups at once)",
     .cost = costs,

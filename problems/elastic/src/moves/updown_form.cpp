@@ -117,7 +117,7 @@ bool UpdownForm::change(std::size_t spring, double delta) {
 
 Work UpdownForm::solver_work() const { return work_; }
 
-const PricingFormDescription kUpdownForm = {
+extern const PricingFormDescription kUpdownForm = {
     .name = "updown",
     .summary = "keeps the list by CHOLMOD's updates",
     .listed = true,

@@ -93,19 +93,42 @@ LaidNodes make_triangular_grid(const LayoutRequest& request) {
   return read_clipped_grid(request, plane::GridCells::triangular);
 }
 
+OptionSchema grid_options() {
+  return {
+      {.name = "counts",
+       .type = OptionType::integer_list,
+       .default_text = "[5, 5]; in space [5, 5, 5]",
+       .length = 2,
+       .longest = 3,
+       .help = "so many nodes over a rectangle or box in x, in y and, in space, in z, each at least 2"},
+      {.name = "spacing",
+       .unit = "m",
+       .minimum = 0.0,
+       .minimum_excluded = true,
+       .help = "between neighbours; of a grid clipped to the body the side of its square or triangular cells"},
+      {.name = "cell",
+       .type = OptionType::number_list,
+       .unit = "m",
+       .minimum = 0.0,
+       .minimum_excluded = true,
+       .length = 2,
+       .help = "instead of 'spacing': width and height of rectangular cells"},
+  };
+}
+
 }  // namespace
 
-const Layout kGridLayout = {.name = "grid",
-                            .summary = "a grid of square or rectangular cells",
-                            .connection = "crossed",
-                            .keys = {"counts", "cell", "spacing"},
-                            .in_space = true,
-                            .make = make_grid};
+extern const Layout kGridLayout = {.name = "grid",
+                                   .summary = "a grid of square or rectangular cells",
+                                   .connection = "crossed",
+                                   .options = grid_options,
+                                   .in_space = true,
+                                   .make = make_grid};
 
-const Layout kTriangularLayout = {.name = "triangular",
-                                  .summary = "one of equilateral triangles",
-                                  .connection = "triangular",
-                                  .keys = {"spacing"},
-                                  .make = make_triangular_grid};
+extern const Layout kTriangularLayout = {.name = "triangular",
+                                         .summary = "one of equilateral triangles",
+                                         .connection = "triangular",
+                                         .keys = {"spacing"},
+                                         .make = make_triangular_grid};
 
 }  // namespace nodal::elastic

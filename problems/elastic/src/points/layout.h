@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-/// The ways in which a study's nodes are placed. A layout is a constant in its own file, and a line of the list in
+/// The ways in which a study's nodes are placed. A layout is a constant in its own file, and a row of the list in
 /// layouts.cpp.
 
 #include <array>
@@ -40,20 +40,19 @@ struct LaidNodes {
 
 struct Layout {
   std::string_view name;
-  std::string_view summary;              ///< as the option's help has it
-  std::string_view connection;           ///< that joins its nodes where a study doesn't say how
-  std::array<std::string_view, 8> keys;  ///< of `points` that it reads, and others don't; "" for none
-  bool in_space = false;                 ///< it fills boxes, too
-  bool without_outline = false;          ///< it needs no outline to place nodes in
+  std::string_view summary;                   ///< as the option's help has it
+  std::string_view connection;                ///< that joins its nodes where a study doesn't say how
+  std::array<std::string_view, 8> keys = {};  ///< options of other layouts that it reads, too; "" for none
+  OptionSchema (*options)() = nullptr;        ///< of `points`, its own; their help begins with who reads them
+  bool in_space = false;                      ///< it fills boxes, too
+  bool without_outline = false;               ///< it needs no outline to place nodes in
   /// InputError, or a Refusal of `points`.
   LaidNodes (*make)(const LayoutRequest& request);
 };
 
-extern const Layout kGridLayout;        // grid_layout.cpp
-extern const Layout kTriangularLayout;  // grid_layout.cpp
-extern const Layout kRandomLayout;      // scattered_layout.cpp
-extern const Layout kVoronoiLayout;     // scattered_layout.cpp
-extern const Layout kFileLayout;        // import/file_layout.cpp
+// Those that are taken unasked.
+extern const Layout kGridLayout;  // grid_layout.cpp
+extern const Layout kFileLayout;  // import/file_layout.cpp
 
 /// All of them, as people are told of them.
 [[nodiscard]] Table<Layout> layouts();

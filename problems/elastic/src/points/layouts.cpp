@@ -5,18 +5,15 @@
 
 namespace nodal::elastic {
 
-Table<Layout> layouts() {
-  static constexpr std::array kLayouts = {&kGridLayout, &kTriangularLayout, &kRandomLayout, &kVoronoiLayout,
-                                          &kFileLayout};
-  return kLayouts;
-}
+extern const Layout kTriangularLayout;  // grid_layout.cpp
+extern const Layout kRandomLayout;      // scattered_layout.cpp
+extern const Layout kVoronoiLayout;     // scattered_layout.cpp
 
-LaidNodes lay(const Body& body, const std::vector<plane::Point>& nodes) {
-  LaidNodes laid;
-  laid.net.body = body;
-  laid.net.nodes = lifted(nodes);
-  find_border(laid.net);
-  return laid;
+Table<Layout> layouts() {
+  static constexpr std::array kLayouts = {
+      &kGridLayout, &kTriangularLayout, &kRandomLayout, &kVoronoiLayout, &kFileLayout,
+  };
+  return kLayouts;
 }
 
 }  // namespace nodal::elastic

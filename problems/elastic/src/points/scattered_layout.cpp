@@ -114,19 +114,76 @@ LaidNodes make_voronoi(const LayoutRequest& request) {
   return laid;
 }
 
+OptionSchema density_fields() {
+  return {
+      {.name = "at", .type = OptionType::number_list, .required = true, .unit = "m", .length = 2, .help = "centre"},
+      {.name = "radius",
+       .required = true,
+       .unit = "m",
+       .minimum = 0.0,
+       .minimum_excluded = true,
+       .help = "of the spot"},
+      {.name = "factor",
+       .required = true,
+       .minimum = 0.0,
+       .minimum_excluded = true,
+       .help = "density at the centre, relative to elsewhere"},
+  };
+}
+
+Option count_option(const char* name, std::int64_t least, const char* otherwise, const char* help) {
+  return {.name = name,
+          .type = OptionType::integer,
+          .default_text = otherwise,
+          .minimum = static_cast<double>(least),
+          .maximum = kMostNodes,
+          .help = help};
+}
+
+OptionSchema random_options() {
+  return {
+      count_option("total", 3, "none", "how many points, as dense on the outline as inside"),
+      count_option("inner", 0, "none", "instead of 'total': how many inside"),
+      count_option("border", 3, "as dense as inside", "with 'inner': how many on the outline, corners included"),
+      {.name = "border_spread",
+       .type = OptionType::text,
+       .default_text = "evenly",
+       .choices = {"evenly", "at-random"},
+       .help = "how border points begin"},
+      {.name = "density",
+       .type = OptionType::table_list,
+       .default_text = "even",
+       .help = "spots where points are denser or rarer, 1 + Σ (factor − 1) exp(−|x − at|²/radius²)",
+       .fields = density_fields()},
+      {.name = "seed", .type = OptionType::integer, .default_text = "1", .help = "of the points alone"},
+  };
+}
+
+OptionSchema voronoi_options() {
+  return {
+      {.name = "iterations",
+       .type = OptionType::integer,
+       .default_text = "50",
+       .minimum = 0,
+       .maximum = 1e6,
+       .help = "at most"},
+      {.name = "tolerance",
+       .default_text = "0",
+       .minimum = 0.0,
+       .help = "ends when no point moves farther than this, in mean spacings"},
+  };
+}
+
 }  // namespace
 
-const Layout kRandomLayout = {.name = "random",
-                              .summary = "at random",
-                              .connection = "delaunay",
-                              .keys = {"total", "inner", "border", "border_spread", "density", "seed"},
-                              .make = make_random};
+extern const Layout kRandomLayout = {
+    .name = "random", .summary = "at random", .connection = "delaunay", .options = random_options, .make = make_random};
 
-const Layout kVoronoiLayout = {
-    .name = "voronoi",
-    .summary = "at random and then spread by iterated Voronoi regions (needs CGAL)",
-    .connection = "delaunay",
-    .keys = {"total", "inner", "border", "border_spread", "density", "seed", "iterations", "tolerance"},
-    .make = make_voronoi};
+extern const Layout kVoronoiLayout = {.name = "voronoi",
+                                      .summary = "at random and then spread by iterated Voronoi regions (needs CGAL)",
+                                      .connection = "delaunay",
+                                      .keys = {"total", "inner", "border", "border_spread", "density", "seed"},
+                                      .options = voronoi_options,
+                                      .make = make_voronoi};
 
 }  // namespace nodal::elastic

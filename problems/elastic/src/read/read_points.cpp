@@ -2,12 +2,15 @@
 #include "read/read_points.h"
 
 #include <algorithm>
+#include <iterator>
 #include <stdexcept>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <nodal/error.h>
+
+#include "tables/own_options.h"
 
 namespace nodal::elastic {
 
@@ -20,28 +23,27 @@ const Layout& layout_of(const Options& points) {
   return *layout;
 }
 
-bool reads(const Layout& layout, std::string_view key) { return std::ranges::count(layout.keys, key) > 0; }
-
-void refuse_foreign_keys(const Options& points, const Layout& layout) {
-  for (const Layout* other : layouts())
-    for (const std::string_view key : other->keys) {
-      if (key.empty() || reads(layout, key) || !points.has(std::string(key))) continue;
-      std::vector<std::string_view> owners;
-      for (const Layout* owner : layouts())
-        if (reads(*owner, key)) owners.push_back(owner->name);
-      throw InputError(points.at(std::string(key)).source,
-                       fmt::format("'{}' belongs to layout '{}', and this one is '{}'", key,
-                                   fmt::join(owners, "' or '"), layout.name));
-    }
-}
-
 }  // namespace
+
+OptionSchema points_fields() {
+  std::vector<std::string> told = summaries_of(layouts());
+  const std::string last = std::move(told.back());
+  told.pop_back();
+  OptionSchema fields = {
+      {.name = "layout",
+       .type = OptionType::text,
+       .default_text = fmt::format("{} where one is given, else {}", kFileLayout.name, kGridLayout.name),
+       .choices = names_of(layouts()),
+       .help = fmt::format("how nodes are placed: {}, or {}", fmt::join(told, ", "), last)}};
+  std::ranges::move(options_of(layouts()), std::back_inserter(fields));
+  return fields;
+}
 
 const Layout& read_layout(const Options& problem, const Body& body) {
   const Options points = problem.table("points");
   const Source& source = points.values().source;
   const Layout& layout = layout_of(points);
-  refuse_foreign_keys(points, layout);
+  refuse_foreign_options(points, layouts(), layout, "layout");
   if (body.box && layout.without_outline)
     throw InputError(source,
                      "nodes of a file are read in the plane only; a box takes a grid: points = "

@@ -11,7 +11,8 @@
 
 namespace nodal::elastic {
 
-[[nodiscard]] OptionSchema points_fields();  // points_options.cpp
+/// What stands in it.
+[[nodiscard]] OptionSchema points_fields();
 
 /// The layout that a study asks for, or the one that its keys mean. InputError for keys of other layouts, and for a
 /// body that it can't fill.

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <nodal/elastic/elastic_problem.h>
 
+#include <algorithm>
+#include <iterator>
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -10,6 +13,7 @@
 #include "read/read_masses.h"
 #include "read/read_parameters.h"
 #include "read/read_points.h"
+#include "read/read_topology.h"
 #include "read/study_loads.h"
 #include "starts/start_rule.h"
 #include "starts/stiffness_bounds.h"
@@ -56,25 +60,9 @@ OptionSchema initial_fields() {
   };
 }
 
-OptionSchema springs_fields() {
+// What is free, and where it starts.
+OptionSchema stiffness_fields() {
   return {
-      {.name = "file",
-       .type = OptionType::text,
-       .help = "springs of your own: CSV with columns first, second (the nodes) and if you like stiffness, group; or a "
-               "system file"},
-      columns_option({"first", "second", "stiffness", "length", "group"}),
-      {.name = "topology",
-       .type = OptionType::text,
-       .default_text = "crossed on a grid, triangular on a triangular one, else delaunay",
-       .help = "single, alternating or crossed for grids (grid, without diagonals, is refused as a mechanism), "
-               "triangular; faces in space; for any "
-               "points delaunay, delaunay-flip, voronoi-neighbours (all three need CGAL), nearest"},
-      {.name = "nearest",
-       .type = OptionType::integer,
-       .default_text = "6",
-       .minimum = 1,
-       .maximum = 1000,
-       .help = "of topology nearest: with how many of its nearest nodes each is joined"},
       parameters_option(),
       {.name = "initial",
        .type = OptionType::text,
@@ -97,6 +85,19 @@ OptionSchema springs_fields() {
        .length = 2,
        .help = "lowest and highest stiffness of a spring"},
   };
+}
+
+OptionSchema springs_fields() {
+  OptionSchema fields = {
+      {.name = "file",
+       .type = OptionType::text,
+       .help = "springs of your own: CSV with columns first, second (the nodes) and if you like stiffness, group; or a "
+               "system file"},
+      columns_option({"first", "second", "stiffness", "length", "group"}),
+  };
+  std::ranges::move(topology_options(), std::back_inserter(fields));
+  std::ranges::move(stiffness_fields(), std::back_inserter(fields));
+  return fields;
 }
 
 OptionSchema moves_fields() {

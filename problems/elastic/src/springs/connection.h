@@ -2,8 +2,9 @@
 #pragma once
 
 /// The ways in which a study's nodes are joined by springs: the topologies. A connection is a constant in its own file,
-/// and a line of the list in connection_list.cpp.
+/// and a row of the list in connection_list.cpp.
 
+#include <array>
 #include <string>
 #include <string_view>
 
@@ -21,6 +22,9 @@ struct Connection {
   bool in_plane = true, in_space = false;
   std::string_view layout = {};  ///< whose nodes it joins, neighbours in a grid; empty: those of any layout
   bool mechanism = false;        ///< it holds no shape, so it is refused
+  std::array<std::string_view, 4> keys = {};  ///< options of other connections that it reads, too; "" for none
+  OptionSchema (*options)() = nullptr;        ///< of `springs`, its own; their help begins with who reads them
+  std::string_view needs = {};                ///< a library that not every build has
   /// What this build lacks for it and how to get it, empty when it is there; null where nothing can be lacking.
   std::string (*lacks)() = nullptr;
   /// Adds springs to nodes that have none, and says in the net how it did. Refusal where that can't be.
@@ -29,16 +33,8 @@ struct Connection {
   [[nodiscard]] std::string lacking() const { return lacks ? lacks() : std::string(); }
 };
 
-extern const Connection kSingleConnection;             // grid_connections.cpp
-extern const Connection kAlternatingConnection;        // grid_connections.cpp
-extern const Connection kCrossedConnection;            // grid_connections.cpp
-extern const Connection kFacesConnection;              // grid_connections.cpp
-extern const Connection kGridConnection;               // grid_connections.cpp
-extern const Connection kTriangularConnection;         // grid_connections.cpp
-extern const Connection kDelaunayConnection;           // free_connections.cpp
-extern const Connection kDelaunayFlipConnection;       // free_connections.cpp
-extern const Connection kVoronoiNeighboursConnection;  // free_connections.cpp
-extern const Connection kNearestConnection;            // free_connections.cpp
+// The one that needs no library.
+extern const Connection kNearestConnection;  // free_connections.cpp
 
 /// All of them, as people are told of them.
 [[nodiscard]] Table<Connection> connections();

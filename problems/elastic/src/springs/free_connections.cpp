@@ -14,6 +14,8 @@
 
 namespace nodal::elastic {
 
+extern const Connection kDelaunayConnection, kDelaunayFlipConnection, kVoronoiNeighboursConnection;  // below
+
 namespace {
 
 constexpr std::int64_t kDefaultNearest = 6;
@@ -73,25 +75,41 @@ void join_nearest(const Options& springs, LaidNodes& nodes, Account& /*account*/
   join(nearest_pairs(outline ? &*outline : nullptr, in_plane(net.nodes), static_cast<std::size_t>(count)), net);
 }
 
+OptionSchema nearest_options() {
+  return {{.name = "nearest",
+           .type = OptionType::integer,
+           .default_text = std::to_string(kDefaultNearest),
+           .minimum = 1,
+           .maximum = 1000,
+           .help = "with how many of its nearest nodes each is joined"}};
+}
+
+constexpr std::string_view kTriangulates = "CGAL";
+
 }  // namespace
 
-const Connection kDelaunayConnection = {.name = "delaunay",
-                                        .summary = "the sides of the Delaunay triangles in the body",
-                                        .lacks = lacking_library,
-                                        .make = join_delaunay};
+extern const Connection kDelaunayConnection = {.name = "delaunay",
+                                               .summary = "the sides of the Delaunay triangles in the body",
+                                               .needs = kTriangulates,
+                                               .lacks = lacking_library,
+                                               .make = join_delaunay};
 
-const Connection kDelaunayFlipConnection = {
+extern const Connection kDelaunayFlipConnection = {
     .name = "delaunay-flip",
     .summary = "and across every inner side, between the opposite corners: about 6 springs per node",
+    .needs = kTriangulates,
     .lacks = lacking_library,
     .make = join_delaunay_flip};
 
-const Connection kVoronoiNeighboursConnection = {.name = "voronoi-neighbours",
-                                                 .summary = "nodes whose Voronoi regions touch inside the body",
-                                                 .lacks = lacking_library,
-                                                 .make = join_voronoi_neighbours};
+extern const Connection kVoronoiNeighboursConnection = {.name = "voronoi-neighbours",
+                                                        .summary = "nodes whose Voronoi regions touch inside the body",
+                                                        .needs = kTriangulates,
+                                                        .lacks = lacking_library,
+                                                        .make = join_voronoi_neighbours};
 
-const Connection kNearestConnection = {
-    .name = "nearest", .summary = "each node with its nearest ones, except across the outline", .make = join_nearest};
+extern const Connection kNearestConnection = {.name = "nearest",
+                                              .summary = "each node with its nearest ones, except across the outline",
+                                              .options = nearest_options,
+                                              .make = join_nearest};
 
 }  // namespace nodal::elastic

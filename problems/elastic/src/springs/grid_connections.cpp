@@ -35,44 +35,45 @@ void join(const Options& /*springs*/, LaidNodes& nodes, Account& /*account*/) {
 
 }  // namespace
 
-const Connection kSingleConnection = {
+extern const Connection kSingleConnection = {
     .name = "single",
     .summary = "one diagonal in each cell and, in space, in each face, all from its lowest corner",
     .in_space = true,
     .layout = "grid",
     .make = join<kSingleConnection>};
 
-const Connection kAlternatingConnection = {
+extern const Connection kAlternatingConnection = {
     .name = "alternating",
     .summary = "one diagonal in each cell, in space in each face, in a chequered pattern",
     .in_space = true,
     .layout = "grid",
     .make = join<kAlternatingConnection>};
 
-const Connection kCrossedConnection = {
+extern const Connection kCrossedConnection = {
     .name = "crossed",
     .summary = "all diagonals: both in each cell; in space both of each face and four through each cell",
     .in_space = true,
     .layout = "grid",
     .make = join<kCrossedConnection>};
 
-const Connection kFacesConnection = {.name = "faces",
-                                     .summary = "in space: both diagonals of each face, and none through the cells",
-                                     .in_plane = false,
-                                     .in_space = true,
-                                     .layout = "grid",
-                                     .make = join<kFacesConnection>};
+extern const Connection kFacesConnection = {
+    .name = "faces",
+    .summary = "in space: both diagonals of each face, and none through the cells",
+    .in_plane = false,
+    .in_space = true,
+    .layout = "grid",
+    .make = join<kFacesConnection>};
 
-const Connection kGridConnection = {.name = "grid",
-                                    .summary = "no diagonals: a mechanism, since its cells shear without resistance",
-                                    .in_space = true,
-                                    .layout = "grid",
-                                    .mechanism = true,
-                                    .make = join<kGridConnection>};
+extern const Connection kGridConnection = {.name = "grid",
+                                           .summary = "no diagonals, so its cells shear without resistance",
+                                           .in_space = true,
+                                           .layout = "grid",
+                                           .mechanism = true,
+                                           .make = join<kGridConnection>};
 
-const Connection kTriangularConnection = {.name = "triangular",
-                                          .summary = "the three directions of a triangular grid",
-                                          .layout = "triangular",
-                                          .make = join<kTriangularConnection>};
+extern const Connection kTriangularConnection = {.name = "triangular",
+                                                 .summary = "the three directions of a triangular grid",
+                                                 .layout = "triangular",
+                                                 .make = join<kTriangularConnection>};
 
 }  // namespace nodal::elastic

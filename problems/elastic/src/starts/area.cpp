@@ -91,7 +91,7 @@ std::vector<double> area_stiffness(const Net& net, const Material& material) {
   return k;
 }
 
-const StartRule kAreaRule = {
+extern const StartRule kAreaRule = {
     .name = "area", .summary = "area (Van Gelder)", .instead = "energy", .make = [](const Scene& scene) {
       return area_stiffness(scene.net, scene.material);
     }};

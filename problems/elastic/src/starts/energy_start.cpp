@@ -250,7 +250,7 @@ std::vector<double> energy_stiffness(const Scene& scene, const std::array<double
   return ProjectedNewton(energy, bounds, std::move(start)).run();
 }
 
-const StartRule kEnergyRule = {
+extern const StartRule kEnergyRule = {
     .name = "energy",
     .summary = "energy, the minimiser of a convex energy",
     .instead = "paper",

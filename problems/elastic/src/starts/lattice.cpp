@@ -119,7 +119,7 @@ std::vector<double> lattice_stiffness(const Net& net, const Material& material) 
   return k;
 }
 
-const StartRule kLatticeRule = {
+extern const StartRule kLatticeRule = {
     .name = "lattice",
     .summary = "lattice, exact at ν = 1/3, in space 1/4",
     .instead = "area",

@@ -11,7 +11,7 @@ std::vector<double> paper_stiffness(const Net& net, const Material& material) {
   return k;
 }
 
-const StartRule kPaperRule = {
+extern const StartRule kPaperRule = {
     .name = "paper", .summary = "paper k = E t s0/4", .instead = "", .make = [](const Scene& scene) {
       return paper_stiffness(scene.net, scene.material);
     }};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-/// The rules that springs' stiffnesses can start by. A rule is a constant in its own file, and a line of the list in
+/// The rules that springs' stiffnesses can start by. A rule is a constant in its own file, and a row of the list in
 /// start_rules.cpp.
 
 #include <string_view>
@@ -22,10 +22,8 @@ struct StartRule {
   std::vector<double> (*make)(const Scene& scene);
 };
 
-extern const StartRule kPaperRule;    // paper.cpp
-extern const StartRule kAreaRule;     // area.cpp
-extern const StartRule kLatticeRule;  // lattice.cpp
-extern const StartRule kEnergyRule;   // energy_start.cpp
+// The one that is taken unasked.
+extern const StartRule kPaperRule;  // paper.cpp
 
 /// All of them, as people are told of them.
 [[nodiscard]] Table<StartRule> start_rules();

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-/// Small tables of what a study can choose by name: each entry is a constant beside what it describes, and one list per
-/// kind points to them. Choices of options, help texts, advice and refusals are made from the list.
+/// Small tables of what a study can choose by name: each entry is a constant beside what it describes, defined
+/// `extern const`, and one list per kind declares and points to them. Choices of options, help texts, advice and
+/// refusals are made from the list.
 
 #include <algorithm>
 #include <cstddef>

@@ -114,7 +114,7 @@ std::string refusal(const PlateOptions& options) {
 
 TEST(Scene, RefusesAGridTopologyAsAMechanism) {
   EXPECT_EQ(refusal({.topology = "grid"}),
-            "plate.toml:8: topology 'grid' is a mechanism: without diagonals its cells shear without resistance; take "
+            "plate.toml:8: topology 'grid' is a mechanism: no diagonals, so its cells shear without resistance; take "
             "springs = { topology = \"crossed\" }, or \"single\" or \"alternating\"");
 }
 TEST(Scene, OffersTheNearestTopology) {

@@ -74,14 +74,17 @@ INSTANTIATE_TEST_SUITE_P(
         Bad{"cells", BOX "points = { cell = [0.5, 0.5] }\n",
             "study.toml:6: a body in space takes a grid: points = { counts = [5, 5, 5] }"},
         Bad{"faces_in_the_plane", "springs = { topology = \"faces\" }\n",
-            "study.toml:5: topology 'faces' is none in the plane; take springs = { topology = \"crossed\" }"},
+            "study.toml:5: topology 'faces' is none in the plane; take springs = { topology = \"crossed\" }, or "
+            "\"single\" or \"alternating\""},
         Bad{"delaunay", BOX "springs = { topology = \"delaunay\" }\n",
-            "study.toml:6: topology 'delaunay' is none in space; take springs = { topology = \"crossed\" }"},
+            "study.toml:6: topology 'delaunay' is none in space; take springs = { topology = \"crossed\" }, or "
+            "\"single\" or \"alternating\" or \"faces\""},
         Bad{"nearest", BOX "springs = { topology = \"nearest\" }\n",
-            "study.toml:6: topology 'nearest' is none in space; take springs = { topology = \"crossed\" }"},
+            "study.toml:6: topology 'nearest' is none in space; take springs = { topology = \"crossed\" }, or "
+            "\"single\" or \"alternating\" or \"faces\""},
         Bad{"mechanism", BOX "springs = { topology = \"grid\" }\n",
-            "study.toml:6: topology 'grid' is a mechanism: without diagonals its cells shear without resistance; take "
-            "springs = { topology = \"crossed\" }, or \"single\" or \"alternating\""},
+            "study.toml:6: topology 'grid' is a mechanism: no diagonals, so its cells shear without resistance; take "
+            "springs = { topology = \"crossed\" }, or \"single\" or \"alternating\" or \"faces\""},
         Bad{"lattice", BOX "springs = { initial = \"lattice\" }\n",
             "study.toml:6: the 'lattice' rule in space needs topology 'faces' on cubes; body diagonals break it under "
             "shear; take springs = { initial = \"area\" }"},

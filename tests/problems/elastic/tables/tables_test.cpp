@@ -7,11 +7,15 @@
 #include <string>
 
 #include <nodal/elastic/elastic_problem.h>
+#include <nodal/toml.h>
+
+#include "../../../support/messages.h"
 
 #include "moves/pricing_forms.h"
 #include "points/layout.h"
 #include "springs/connection.h"
 #include "starts/start_rule.h"
+#include "tables/own_options.h"
 #include "tables/table.h"
 
 namespace nodal::elastic {
@@ -57,12 +61,41 @@ TEST(Tables, LayoutsReadKeysThatThereAreAndEveryKeyIsReadBySomeLayout) {
   const OptionSchema schema = elastic_schema();
   const auto points = std::ranges::find(schema, std::string("points"), &Option::name);
   ASSERT_NE(points, schema.end());
-  std::set<std::string> there, read = {"layout"};
+  std::multiset<std::string> there, own = {"layout"};  // none has another's option for its own
   for (const Option& option : points->fields) there.insert(option.name);
-  for (const Layout* layout : layouts())
+  for (const Layout* layout : layouts()) {
+    for (const Option& option : own_options(*layout)) own.insert(option.name);
     for (const std::string_view key : layout->keys)
-      if (!key.empty()) read.insert(std::string(key));
-  EXPECT_EQ(read, there);
+      EXPECT_TRUE(key.empty() || there.contains(std::string(key))) << layout->name << " reads " << key;
+  }
+  EXPECT_EQ(own, there);
+}
+
+TEST(Tables, OptionsBelongToThoseThatReadThem) {
+  const Options study(parse_toml("total = 3\nseed = 1\n", "study.toml"));
+  EXPECT_EQ(toy::message_of([&] { refuse_foreign_options(study, layouts(), kGridLayout, "layout"); }),
+            "study.toml:1: 'total' belongs to layout 'random' or 'voronoi', and this one is 'grid'");
+  EXPECT_NO_THROW(refuse_foreign_options(study, layouts(), *find_named(layouts(), "voronoi"), "layout"));
+  const OptionSchema options = options_of(connections());
+  ASSERT_EQ(options.size(), 1u);
+  EXPECT_EQ(options[0].help, "nearest: with how many of its nearest nodes each is joined");
+}
+
+// Helps and refusals are made from the tables: whoever adds an entry needn't look for them.
+TEST(Tables, EveryEntryIsToldOfInTheHelp) {
+  const OptionSchema schema = elastic_schema();
+  const auto option = [&](const char* table, const char* name) {
+    const auto of = std::ranges::find(schema, std::string(table), &Option::name);
+    return *std::ranges::find(of->fields, std::string(name), &Option::name);
+  };
+  for (const Connection* connection : connections())
+    EXPECT_NE(option("springs", "topology").help.find(connection->name), std::string::npos) << connection->name;
+  for (const Layout* layout : layouts()) {
+    EXPECT_NE(option("springs", "topology").default_text.find(layout->name), std::string::npos) << layout->name;
+    EXPECT_NE(option("points", "layout").help.find(layout->summary), std::string::npos) << layout->name;
+  }
+  for (const StartRule* rule : start_rules())
+    EXPECT_NE(option("springs", "initial").help.find(rule->summary), std::string::npos) << rule->name;
 }
 
 TEST(Tables, EveryLayoutIsJoinedByItsConnectionAndEveryGridConnectionHasItsLayout) {
