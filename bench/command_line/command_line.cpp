@@ -144,7 +144,10 @@ void add_fit(CLI::App& app, const Registry& registry, int& exit) {
       ->type_name("SHARE")
       ->check(not_below_zero())
       ->needs(prune);
-  command.add_option("--export", to->out, "Where the stiffness file goes (default: stdout)")->type_name("FILE.json");
+  command
+      .add_option("--export", to->out,
+                  "Where the fitted system goes, in the format that the name ends in (default: stdout)")
+      ->type_name("FILE");
   add_picture(command, to->picture);
   add_budget(command, to->overrides);
 }

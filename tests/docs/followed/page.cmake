@@ -2,7 +2,7 @@
 #
 # nodal_read_page(<page> <prefix>) sets, in the caller's scope:
 #   <prefix>_COUNT, and for each block i from 0:
-#   <prefix>_<i>_LANGUAGE   what stands after the fence: cpp, cmake, toml, sh, text
+#   <prefix>_<i>_LANGUAGE   what stands after the fence: cpp, cmake, toml, sh, text, diff
 #   <prefix>_<i>_TEXT       the block, with its last newline
 #   <prefix>_<i>_FILE       the file's name when the paragraph before the fence begins with **`name`**, else ""
 #
@@ -40,19 +40,33 @@ function(nodal_read_page page prefix)
   set(${prefix}_COUNT ${count} PARENT_SCOPE)
 endfunction()
 
+# Takes the first line from a text: not by lists, which semicolons and brackets would break.
+macro(take_line text line)
+  string(FIND "${${text}}" "\n" line_end)
+  string(SUBSTRING "${${text}}" 0 ${line_end} ${line})
+  math(EXPR line_end "${line_end} + 1")
+  string(SUBSTRING "${${text}}" ${line_end} -1 ${text})
+endmacro()
+
 # nodal_write_page(<page> <folder> <files>): writes every block that has a file's name below a folder, untouched where it
-# is so already, and lists the names in <files>.
+# is so already, and lists the names in <files>. Blocks in the language diff change files that are there: they aren't
+# written, but listed in <files>_CHANGED (change_files.cmake).
 function(nodal_write_page page folder files)
   nodal_read_page("${page}" block)
   set(names "")
+  set(changed "")
   math(EXPR last "${block_COUNT} - 1")
   foreach(i RANGE ${last})
     set(name "${block_${i}_FILE}")
     if(name STREQUAL "")
       continue()
     endif()
-    if(name IN_LIST names)
+    if(name IN_LIST names OR name IN_LIST changed)
       message(FATAL_ERROR "${page}: '${name}' stands there twice")
+    endif()
+    if(block_${i}_LANGUAGE STREQUAL "diff")
+      list(APPEND changed "${name}")
+      continue()
     endif()
     list(APPEND names "${name}")
     set(old "")
@@ -64,4 +78,5 @@ function(nodal_write_page page folder files)
     endif()
   endforeach()
   set(${files} "${names}" PARENT_SCOPE)
+  set(${files}_CHANGED "${changed}" PARENT_SCOPE)
 endfunction()

@@ -8,14 +8,6 @@
 cmake_minimum_required(VERSION 3.25)
 include("${CMAKE_CURRENT_LIST_DIR}/page.cmake")
 
-# Takes the first line from a text: not by lists, which semicolons and brackets would break.
-macro(take_line text line)
-  string(FIND "${${text}}" "\n" line_end)
-  string(SUBSTRING "${${text}}" 0 ${line_end} ${line})
-  math(EXPR line_end "${line_end} + 1")
-  string(SUBSTRING "${${text}}" ${line_end} -1 ${text})
-endmacro()
-
 # Runs a line of the page, and appends what it prints to `printed`.
 macro(run_line line)
   separate_arguments(words UNIX_COMMAND "${line}")

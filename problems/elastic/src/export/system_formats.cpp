@@ -5,11 +5,11 @@
 
 namespace nodal::elastic {
 
-extern const SystemFormat kSystemJson;  // system_export.cpp
+extern const SystemFormat kSystemJson;
 
 Table<SystemFormat> system_formats() {
   static constexpr std::array kFormats = {
-      &kSystemJson,
+      &kSystemJson,  // system_export.cpp
   };
   return kFormats;
 }

@@ -5,14 +5,18 @@
 
 namespace nodal::elastic {
 
-extern const PricingFormDescription kEagerForm;     // eager_form.cpp
-extern const PricingFormDescription kLazyForm;      // lazy_form.cpp
-extern const PricingFormDescription kRefactorForm;  // refactor_form.cpp
-extern const PricingFormDescription kUpdownForm;    // updown_form.cpp
+extern const PricingFormDescription kEagerForm;
+extern const PricingFormDescription kLazyForm;
+extern const PricingFormDescription kRefactorForm;
+extern const PricingFormDescription kUpdownForm;
 
 Table<PricingFormDescription> pricing_forms() {
   static constexpr std::array kForms = {
-      &kEagerForm, &kLazyForm, &kRefactorForm, &kUpdownForm, &kFullForm,
+      &kEagerForm,     // eager_form.cpp
+      &kLazyForm,      // lazy_form.cpp
+      &kRefactorForm,  // refactor_form.cpp
+      &kUpdownForm,    // updown_form.cpp
+      &kFullForm,      // full_form.cpp
   };
   return kForms;
 }

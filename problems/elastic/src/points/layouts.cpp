@@ -5,13 +5,17 @@
 
 namespace nodal::elastic {
 
-extern const Layout kTriangularLayout;  // grid_layout.cpp
-extern const Layout kRandomLayout;      // scattered_layout.cpp
-extern const Layout kVoronoiLayout;     // scattered_layout.cpp
+extern const Layout kTriangularLayout;
+extern const Layout kRandomLayout;
+extern const Layout kVoronoiLayout;
 
 Table<Layout> layouts() {
   static constexpr std::array kLayouts = {
-      &kGridLayout, &kTriangularLayout, &kRandomLayout, &kVoronoiLayout, &kFileLayout,
+      &kGridLayout,        // grid_layout.cpp
+      &kTriangularLayout,  // grid_layout.cpp
+      &kRandomLayout,      // scattered_layout.cpp
+      &kVoronoiLayout,     // scattered_layout.cpp
+      &kFileLayout,        // import/file_layout.cpp
   };
   return kLayouts;
 }

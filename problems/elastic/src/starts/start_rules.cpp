@@ -5,16 +5,16 @@
 
 namespace nodal::elastic {
 
-extern const StartRule kAreaRule;     // area.cpp
-extern const StartRule kLatticeRule;  // lattice.cpp
-extern const StartRule kEnergyRule;   // energy_start.cpp
+extern const StartRule kAreaRule;
+extern const StartRule kLatticeRule;
+extern const StartRule kEnergyRule;
 
 Table<StartRule> start_rules() {
   static constexpr std::array kRules = {
-      &kPaperRule,
-      &kAreaRule,
-      &kLatticeRule,
-      &kEnergyRule,
+      &kPaperRule,    // paper.cpp
+      &kAreaRule,     // area.cpp
+      &kLatticeRule,  // lattice.cpp
+      &kEnergyRule,   // energy_start.cpp
   };
   return kRules;
 }

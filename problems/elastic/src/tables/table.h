@@ -3,7 +3,7 @@
 
 /// Small tables of what a study can choose by name: each entry is a constant beside what it describes, defined
 /// `extern const`, and one list per kind declares and points to them. Choices of options, help texts, advice and
-/// refusals are made from the list.
+/// refusals are made from the list. docs/adding_a_layout.md adds an entry to each.
 
 #include <algorithm>
 #include <cstddef>
