@@ -71,7 +71,7 @@ std::string advice(const Layout& layout, bool in_space) {
   std::vector<std::string> others;
   for (const Connection* other : connections())
     if (other->layout == layout.name && other->name != layout.connection && !other->mechanism &&
-        (in_space ? other->in_space : other->in_plane))
+        other->is_for(in_space))
       others.push_back(fmt::format("\"{}\"", other->name));
   return fmt::format("take springs = {{ topology = \"{}\" }}{}{}", layout.connection, others.empty() ? "" : ", or ",
                      fmt::join(others, " or "));
@@ -82,8 +82,7 @@ void refuse_connection(const Connection& connection, const Source& source, const
     throw InputError(source, fmt::format("topology '{}' {}; {}", connection.name, what, advice(layout, in_space)));
   };
   if (connection.mechanism) refuse(fmt::format("is a mechanism: {}", connection.summary));
-  if (in_space ? !connection.in_space : !connection.in_plane)
-    refuse(in_space ? "is none in space" : "is none in the plane");
+  if (!connection.is_for(in_space)) refuse(in_space ? "is none in space" : "is none in the plane");
   if (const std::string lacks = connection.lacking(); !lacks.empty())
     throw InputError(source, fmt::format("topology '{}' needs {}", connection.name, lacks));
   if (!connection.layout.empty() && connection.layout != layout.name)

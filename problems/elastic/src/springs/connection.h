@@ -31,6 +31,7 @@ struct Connection {
   void (*make)(const Options& springs, LaidNodes& nodes, Account& account);
 
   [[nodiscard]] std::string lacking() const { return lacks ? lacks() : std::string(); }
+  [[nodiscard]] bool is_for(bool space) const { return space ? in_space : in_plane; }
 };
 
 // The one that needs no library.

@@ -108,6 +108,7 @@ TEST(Tables, EveryLayoutIsJoinedByItsConnectionAndEveryGridConnectionHasItsLayou
     EXPECT_TRUE(!layout->in_space || suits->in_space) << layout->name;
   }
   for (const Connection* connection : connections()) {
+    EXPECT_EQ(connection->needs.empty(), connection->lacks == nullptr) << connection->name;
     if (connection->layout.empty()) continue;
     const Layout* layout = find_named(layouts(), connection->layout);
     ASSERT_NE(layout, nullptr) << connection->name;
