@@ -25,6 +25,7 @@ void tell_of_springs(const Net& net, Account& account) {
 
 void join(const Connection& connection, const Options& problem, LaidNodes& nodes, Account& account) {
   const Options springs = problem.table("springs");
+  nodes.net.topology = connection.name;
   if (!connection.layout.empty())
     return at(problem.table("points").values().source, [&] { connection.make(springs, nodes, account); });
   nodes.net.grid = {};  // joined otherwise it is none

@@ -27,7 +27,8 @@ struct Connection {
   std::string_view needs = {};                ///< a library that not every build has
   /// What this build lacks for it and how to get it, empty when it is there; null where nothing can be lacking.
   std::string (*lacks)() = nullptr;
-  /// Adds springs to nodes that have none, and says in the net how it did. Refusal where that can't be.
+  /// Adds springs to nodes that have none. The net's topology is the entry's name by then; it may be said more closely,
+  /// as "nearest 6". Refusal where nodes can't be joined so.
   void (*make)(const Options& springs, LaidNodes& nodes, Account& account);
 
   [[nodiscard]] std::string lacking() const { return lacks ? lacks() : std::string(); }

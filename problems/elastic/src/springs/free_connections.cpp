@@ -14,8 +14,6 @@
 
 namespace nodal::elastic {
 
-extern const Connection kDelaunayConnection, kDelaunayFlipConnection, kVoronoiNeighboursConnection;  // below
-
 namespace {
 
 constexpr std::int64_t kDefaultNearest = 6;
@@ -48,21 +46,18 @@ std::vector<NodePair> touching_regions(const Net& net) {
 }
 
 void join_delaunay(const Options& /*springs*/, LaidNodes& nodes, Account& account) {
-  nodes.net.topology = kDelaunayConnection.name;
   triangulate(nodes.net, account);
   join(side_pairs(nodes.net.triangles), nodes.net);
 }
 
 void join_delaunay_flip(const Options& springs, LaidNodes& nodes, Account& account) {
   join_delaunay(springs, nodes, account);
-  nodes.net.topology = kDelaunayFlipConnection.name;
   join(flip_pairs(in_plane(nodes.net.nodes), nodes.net.triangles), nodes.net);
 }
 
 void join_voronoi_neighbours(const Options& /*springs*/, LaidNodes& nodes, Account& /*account*/) {
   if (!nodes.net.body.has_outline())
     throw Refusal("Voronoi regions need a body with an outline; take springs = { topology = \"delaunay\" }");
-  nodes.net.topology = kVoronoiNeighboursConnection.name;
   join(touching_regions(nodes.net), nodes.net);
 }
 

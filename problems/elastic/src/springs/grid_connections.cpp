@@ -12,25 +12,24 @@ namespace nodal::elastic {
 namespace {
 
 // Of a grid that is clipped to the body: only springs that lie in it.
-void join_clipped(std::string_view topology, LaidNodes& nodes) {
+void join_clipped(LaidNodes& nodes) {
   Net& net = nodes.net;
   const plane::GridPoints& grid = *nodes.clipped;
   const plane::Outline outline(net.body);
-  const auto springs = plane::join_grid(outline, grid, std::string(topology));
+  const auto springs = plane::join_grid(outline, grid, net.topology);
   if (springs.empty()) throw Refusal("the grid is so coarse that the body holds no spring of it");
   for (const auto& [i, j] : springs) net.springs.push_back(make_spring(net.nodes, i, j));
   if (grid.cells == plane::GridCells::triangular) net.triangles = plane::grid_triangles(outline, grid, springs);
-  net.topology = topology;
 }
 
-template <const Connection& connection>
 void join(const Options& /*springs*/, LaidNodes& nodes, Account& /*account*/) {
+  const std::string topology = nodes.net.topology;
   if (nodes.net.body.box)
-    join_block(nodes.net, connection.name);
+    join_block(nodes.net, topology);
   else if (nodes.clipped)
-    join_clipped(connection.name, nodes);
+    join_clipped(nodes);
   else
-    join_counted_grid(nodes.net, connection.name);
+    join_counted_grid(nodes.net, topology);
 }
 
 }  // namespace
@@ -40,21 +39,21 @@ extern const Connection kSingleConnection = {
     .summary = "one diagonal in each cell and, in space, in each face, all from its lowest corner",
     .in_space = true,
     .layout = "grid",
-    .make = join<kSingleConnection>};
+    .make = join};
 
 extern const Connection kAlternatingConnection = {
     .name = "alternating",
     .summary = "one diagonal in each cell, in space in each face, in a chequered pattern",
     .in_space = true,
     .layout = "grid",
-    .make = join<kAlternatingConnection>};
+    .make = join};
 
 extern const Connection kCrossedConnection = {
     .name = "crossed",
     .summary = "all diagonals: both in each cell; in space both of each face and four through each cell",
     .in_space = true,
     .layout = "grid",
-    .make = join<kCrossedConnection>};
+    .make = join};
 
 extern const Connection kFacesConnection = {
     .name = "faces",
@@ -62,18 +61,16 @@ extern const Connection kFacesConnection = {
     .in_plane = false,
     .in_space = true,
     .layout = "grid",
-    .make = join<kFacesConnection>};
+    .make = join};
 
 extern const Connection kGridConnection = {.name = "grid",
                                            .summary = "no diagonals, so its cells shear without resistance",
                                            .in_space = true,
                                            .layout = "grid",
                                            .mechanism = true,
-                                           .make = join<kGridConnection>};
+                                           .make = join};
 
-extern const Connection kTriangularConnection = {.name = "triangular",
-                                                 .summary = "the three directions of a triangular grid",
-                                                 .layout = "triangular",
-                                                 .make = join<kTriangularConnection>};
+extern const Connection kTriangularConnection = {
+    .name = "triangular", .summary = "the three directions of a triangular grid", .layout = "triangular", .make = join};
 
 }  // namespace nodal::elastic
