@@ -6,22 +6,13 @@
 #include <cmath>
 #include <set>
 
-#include <Eigen/SVD>
-
 #include <nodal/random.h>
 
 #include "../block.h"
-#include "rigidity/rigidity.h"
+#include "frames.h"
 
 namespace nodal::elastic {
 namespace {
-
-struct Frame {
-  std::vector<Vector> nodes;
-  std::vector<Spring> springs;
-
-  void join(std::size_t i, std::size_t j) { springs.push_back(make_spring(nodes, i, j)); }
-};
 
 Frame block(const std::array<std::size_t, 3>& counts, const std::string& topology, const Vector& corner = {}) {
   Extent box{corner, corner};
@@ -51,31 +42,11 @@ Frame joined(Frame frame, const Frame& other) {
   return frame;
 }
 
-// Values between noise and 1e-6 would make the comparison moot.
-std::size_t dense_rank(const Frame& frame, const std::vector<std::size_t>& fixed) {
-  Eigen::MatrixXd b = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(std::max<std::size_t>(frame.springs.size(), 1)),
-                                            static_cast<Eigen::Index>(3 * frame.nodes.size()));
-  for (std::size_t e = 0; e < frame.springs.size(); ++e)
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const Spring& s = frame.springs[e];
-      b(static_cast<Eigen::Index>(e), static_cast<Eigen::Index>(3 * s.first + axis)) = -s.direction[axis];
-      b(static_cast<Eigen::Index>(e), static_cast<Eigen::Index>(3 * s.second + axis)) = s.direction[axis];
-    }
-  for (const std::size_t f : fixed) b.col(static_cast<Eigen::Index>(f)).setZero();
-  const Eigen::VectorXd values = Eigen::BDCSVD<Eigen::MatrixXd>(b).singularValues();
-  std::size_t rank = 0;
-  for (const double value : values) {
-    EXPECT_TRUE(value < 1e-12 || value > 1e-6) << value;
-    rank += value > 1e-9;
-  }
-  return rank;
-}
-
 // Everything that a result promises.
 Rigidity checked(const Rigidity& r, const Frame& frame, const std::vector<std::size_t>& fixed) {
   const Freedoms freedoms{3, frame.nodes.size()};
   EXPECT_EQ(r.freedoms, freedoms.size() - fixed.size());
-  EXPECT_EQ(r.rank, dense_rank(frame, fixed));
+  EXPECT_EQ(r.rank, dense_rank({3, frame.nodes, frame.springs}, fixed));
   EXPECT_EQ(r.mechanisms, r.freedoms - r.rank - r.rigid_motions);
   EXPECT_EQ(r.motions.size(), std::min(r.mechanisms, kShownMotions));
   EXPECT_EQ(r.moving.empty(), r.is_rigid());

@@ -8,23 +8,14 @@
 #include <numeric>
 #include <set>
 
-#include <Eigen/SVD>
-
 #include <nodal/random.h>
 
-#include "rigidity/rigidity.h"
+#include "frames.h"
 
 namespace nodal::elastic {
 namespace {
 
-struct Frame {
-  std::vector<Vector> nodes;
-  std::vector<Spring> springs;
-
-  void join(std::size_t i, std::size_t j) { springs.push_back(make_spring(nodes, i, j)); }
-};
-
-Structure plane(const Frame& frame) { return {2, frame.nodes, frame.springs}; }
+Structure structure_of(const Frame& frame) { return {2, frame.nodes, frame.springs}; }
 
 Frame grid(std::size_t columns, std::size_t rows, const char* topology, const plane::Point& corner = {0, 0}) {
   const Body body = plane::rectangle_body(corner, {static_cast<double>(columns - 1), static_cast<double>(rows - 1)});
@@ -47,31 +38,11 @@ Frame joined(Frame frame, const Frame& other, const std::map<std::size_t, std::s
   return frame;
 }
 
-// Rank by a dense decomposition; values between noise and 1e-6 would make the comparison moot.
-std::size_t dense_rank(const Frame& frame, const std::vector<std::size_t>& fixed) {
-  Eigen::MatrixXd b = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(std::max<std::size_t>(frame.springs.size(), 1)),
-                                            static_cast<Eigen::Index>(2 * frame.nodes.size()));
-  for (std::size_t e = 0; e < frame.springs.size(); ++e)
-    for (std::size_t axis = 0; axis < 2; ++axis) {
-      const Spring& s = frame.springs[e];
-      b(static_cast<Eigen::Index>(e), static_cast<Eigen::Index>(2 * s.first + axis)) = -s.direction[axis];
-      b(static_cast<Eigen::Index>(e), static_cast<Eigen::Index>(2 * s.second + axis)) = s.direction[axis];
-    }
-  for (const std::size_t f : fixed) b.col(static_cast<Eigen::Index>(f)).setZero();
-  const Eigen::VectorXd values = Eigen::JacobiSVD<Eigen::MatrixXd>(b).singularValues();
-  std::size_t rank = 0;
-  for (const double value : values) {
-    EXPECT_TRUE(value < 1e-12 || value > 1e-6) << value;
-    rank += value > 1e-9;
-  }
-  return rank;
-}
-
 // Everything that a result promises.
 void expect_consistent(const Rigidity& r, const Frame& frame, const std::vector<std::size_t>& fixed) {
   const std::set<std::size_t> held(fixed.begin(), fixed.end());
   EXPECT_EQ(r.freedoms, 2 * frame.nodes.size() - held.size());
-  EXPECT_EQ(r.rank, dense_rank(frame, fixed));
+  EXPECT_EQ(r.rank, dense_rank(structure_of(frame), fixed));
   EXPECT_EQ(r.mechanisms, r.freedoms - r.rank - r.rigid_motions);
   EXPECT_EQ(r.motions.size(), std::min(r.mechanisms, kShownMotions));
   EXPECT_EQ(r.moving.empty(), r.is_rigid());
@@ -99,13 +70,13 @@ void expect_consistent(const Rigidity& r, const Frame& frame, const std::vector<
 }
 
 Rigidity of(const Frame& frame, const std::vector<std::size_t>& fixed) {
-  const Rigidity r = rigidity(plane(frame), fixed);
+  const Rigidity r = rigidity(structure_of(frame), fixed);
   expect_consistent(r, frame, fixed);
   return r;
 }
 
 Rigidity of_free(const Frame& frame) {
-  const Rigidity r = free_rigidity(plane(frame));
+  const Rigidity r = free_rigidity(structure_of(frame));
   expect_consistent(r, frame, {});
   return r;
 }
@@ -205,7 +176,7 @@ TEST(Rigidity, CallsASliverRigidAndShowsIt) {
   frame.nodes = {{0, 0}, {2, 0}, {1, 1e-6}};
   frame.join(0, 2);
   frame.join(1, 2);
-  const Rigidity sliver = rigidity(plane(frame), {0, 1, 2, 3});
+  const Rigidity sliver = rigidity(structure_of(frame), {0, 1, 2, 3});
   EXPECT_TRUE(sliver.is_rigid());
   EXPECT_LT(sliver.smallest, 1e-5);
   EXPECT_GT(sliver.smallest, 1e-7);
@@ -213,7 +184,7 @@ TEST(Rigidity, CallsASliverRigidAndShowsIt) {
   frame.springs.clear();
   frame.join(0, 2);
   frame.join(1, 2);
-  EXPECT_EQ(rigidity(plane(frame), {0, 1, 2, 3}).mechanisms, 1u);
+  EXPECT_EQ(rigidity(structure_of(frame), {0, 1, 2, 3}).mechanisms, 1u);
 }
 
 TEST(Rigidity, SeesPiecesThatNothingJoins) {
@@ -235,10 +206,10 @@ TEST(Rigidity, HasItsEnds) {
   EXPECT_TRUE(of_free({.nodes = {{0, 0}}, .springs = {}}).is_rigid());
   EXPECT_TRUE(of(two, {0, 1, 2, 3}).is_rigid());
   EXPECT_EQ(of(two, {0, 1, 2}).moving, Nodes{1});
-  EXPECT_THROW((void)rigidity(plane({}), {}), std::invalid_argument);
-  EXPECT_THROW((void)rigidity(plane(two), {4}), std::invalid_argument);
-  EXPECT_THROW((void)rigidity(plane({two.nodes, {{0, 2, 1.0, {1, 0}}}}), {}), std::invalid_argument);
-  EXPECT_THROW((void)rigidity(plane({{{0, 0}, {0, 0}}, {make_spring({{0, 0}, {0, 0}}, 0, 1)}}), {}),
+  EXPECT_THROW((void)rigidity(structure_of({}), {}), std::invalid_argument);
+  EXPECT_THROW((void)rigidity(structure_of(two), {4}), std::invalid_argument);
+  EXPECT_THROW((void)rigidity(structure_of({two.nodes, {{0, 2, 1.0, {1, 0}}}}), {}), std::invalid_argument);
+  EXPECT_THROW((void)rigidity(structure_of({{{0, 0}, {0, 0}}, {make_spring({{0, 0}, {0, 0}}, 0, 1)}}), {}),
                std::invalid_argument);
 }
 
@@ -270,15 +241,15 @@ TEST(Rigidity, AgreesWithADenseDecompositionOfRandomNets) {
 
 // Far more motions than are shown, and the size that nets go to.
 TEST(Rigidity, GoesToTenThousandNodes) {
-  EXPECT_TRUE(free_rigidity(plane(grid(100, 100, "single"))).is_rigid());
-  EXPECT_TRUE(free_rigidity(plane(grid(2, 5000, "single"))).is_rigid());
+  EXPECT_TRUE(free_rigidity(structure_of(grid(100, 100, "single"))).is_rigid());
+  EXPECT_TRUE(free_rigidity(structure_of(grid(2, 5000, "single"))).is_rigid());
   const Frame bare = grid(100, 100, "grid");
-  const Rigidity r = free_rigidity(plane(bare));
+  const Rigidity r = free_rigidity(structure_of(bare));
   EXPECT_EQ(r.mechanisms, 197u);
   EXPECT_EQ(r.motions.size(), kShownMotions);
   EXPECT_LT(r.elongation, 1e-9);
   Frame hinged = joined(grid(90, 100, "crossed"), grid(10, 100, "crossed", {89, 99}), {{0, 8999}});
-  const Rigidity hinge = free_rigidity(plane(hinged));
+  const Rigidity hinge = free_rigidity(structure_of(hinged));
   EXPECT_EQ(hinge.mechanisms, 1u);
   EXPECT_EQ(hinge.moving.size(), 999u);
   EXPECT_EQ(hinge.moving.front(), 9000u);
