@@ -14,10 +14,10 @@ namespace {
 constexpr std::string_view kSeparators = ",;\t";
 
 std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view space = " \t\r";
-  const std::size_t begin = text.find_first_not_of(space);
+  constexpr std::string_view kSpace = " \t\r";
+  const std::size_t begin = text.find_first_not_of(kSpace);
   if (begin == std::string_view::npos) return {};
-  return text.substr(begin, text.find_last_not_of(space) - begin + 1);
+  return text.substr(begin, text.find_last_not_of(kSpace) - begin + 1);
 }
 
 // The rest of a quoted field, from behind its opening quote; moves `at` behind the closing one.
@@ -84,8 +84,8 @@ void refuse_encoding(std::string_view text, const std::string& file) {
 }  // namespace
 
 CsvLines::CsvLines(std::string_view text, std::string file) : rest_(text), file_(std::move(file)) {
-  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";  // spreadsheets put it in front
-  if (rest_.starts_with(byte_order_mark)) rest_.remove_prefix(byte_order_mark.size());
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";  // spreadsheets put it in front
+  if (rest_.starts_with(kByteOrderMark)) rest_.remove_prefix(kByteOrderMark.size());
   refuse_encoding(rest_, file_);
 }
 
@@ -100,9 +100,9 @@ std::string_view CsvLines::take_line() {
 
 // "sep=;", as spreadsheets write it; true where this is such a line.
 bool CsvLines::take_separator(std::string_view line) {
-  constexpr std::string_view says = "sep=";
-  if (separator_ != '\0' || !line.starts_with(says)) return false;
-  const std::string_view given = line.substr(says.size());
+  constexpr std::string_view kSays = "sep=";
+  if (separator_ != '\0' || !line.starts_with(kSays)) return false;
+  const std::string_view given = line.substr(kSays.size());
   if (given.size() != 1 || kSeparators.find(given[0]) == std::string_view::npos)
     throw InputError({file_, number_},
                      fmt::format("the separator is '{}'; it may be a comma, a semicolon or a tab", shown(given)));

@@ -108,9 +108,9 @@ MomentSystem::MomentSystem(const std::vector<plane::Point>& points, const MassTa
 
 // A reduced echelon form of the null vectors, with the columns in this order.
 void MomentSystem::solve_for_determined() {
-  constexpr std::array<Eigen::Index, 6> order = {5, 3, 4, 2, 1, 0};
+  constexpr std::array<Eigen::Index, 6> kOrder = {5, 3, 4, 2, 1, 0};
   conditions = undetermined.transpose();
-  for (const Eigen::Index column : order) {
+  for (const Eigen::Index column : kOrder) {
     const auto done = static_cast<Eigen::Index>(determined.size());
     if (done == conditions.rows()) break;
     Eigen::Index at = 0;

@@ -21,9 +21,9 @@ Eigen::RowVectorXd felt_by(const Support& support, const Vector& place, std::siz
   const std::size_t turns = dimension == 2 ? 1 : 3;
   Eigen::RowVectorXd felt = Eigen::RowVectorXd::Zero(static_cast<Eigen::Index>(dimension + turns));
   felt[static_cast<Eigen::Index>(support.axis)] = 1.0;
-  constexpr std::array<Vector, 3> about = {{{0.0, 0.0, 1.0}, {1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}}};
+  constexpr std::array<Vector, 3> kAxes = {{{0.0, 0.0, 1.0}, {1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}}};
   for (std::size_t t = 0; t < turns; ++t)
-    felt[static_cast<Eigen::Index>(dimension + t)] = cross(about[t], place)[support.axis];
+    felt[static_cast<Eigen::Index>(dimension + t)] = cross(kAxes[t], place)[support.axis];
   return felt;
 }
 

@@ -31,7 +31,7 @@ std::string end_labels(const StiffnessColours& colours, double width, std::vecto
 }
 
 std::string decades(const StiffnessColours& colours, double width, std::vector<Range>& taken) {
-  constexpr double gap = 5.0;
+  constexpr double kGap = 5.0;
   const double low = std::log10(colours.softest()), high = std::log10(colours.stiffest());
   std::string ticks, labels;
   for (int power = static_cast<int>(std::ceil(low)); power <= static_cast<int>(std::floor(high)); ++power) {
@@ -39,7 +39,7 @@ std::string decades(const StiffnessColours& colours, double width, std::vector<R
     ticks += move_to({x, kBarHeight}) + line_to({x, kBarHeight + 4.0});
     const std::string label = power_of_ten_text(power);
     const double half = 0.5 * text_width(label, kLabelSize);
-    const Range range = {x - half - gap, x + half + gap};
+    const Range range = {x - half - kGap, x + half + kGap};
     if (std::ranges::any_of(taken, [&](const Range& r) { return r.from < range.to && range.from < r.to; })) continue;
     taken.push_back({x - half, x + half});
     labels += text_at({x, kLabelBaseline}, label, "label", Anchor::middle);
@@ -66,14 +66,14 @@ std::size_t StiffnessColours::step(double stiffness) const {
 
 std::string StiffnessColours::colour(std::size_t step) {
   // Along viridis, stopping before its yellow, which vanishes on white.
-  constexpr std::array<std::array<double, 3>, 6> stops = {
+  constexpr std::array<std::array<double, 3>, 6> kStops = {
       {{68, 1, 84}, {65, 68, 135}, {42, 120, 142}, {34, 168, 132}, {122, 209, 81}, {190, 205, 30}}};
-  const double at = static_cast<double>(step) / static_cast<double>(kSteps - 1) * static_cast<double>(stops.size() - 1);
-  const std::size_t below = std::min(static_cast<std::size_t>(at), stops.size() - 2);
+  const double at = static_cast<double>(step) / static_cast<double>(kSteps - 1) * static_cast<double>(kStops.size() - 1);
+  const std::size_t below = std::min(static_cast<std::size_t>(at), kStops.size() - 2);
   std::array<int, 3> rgb{};
   for (std::size_t c = 0; c < 3; ++c)
     rgb[c] = static_cast<int>(
-        std::lround(stops[below][c] + (at - static_cast<double>(below)) * (stops[below + 1][c] - stops[below][c])));
+        std::lround(kStops[below][c] + (at - static_cast<double>(below)) * (kStops[below + 1][c] - kStops[below][c])));
   return fmt::format("#{:02x}{:02x}{:02x}", rgb[0], rgb[1], rgb[2]);
 }
 
