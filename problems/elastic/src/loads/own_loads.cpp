@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-#include "loads/outline_forces.h"
+#include "loads/border_pieces.h"
 #include "loads/selection.h"
 
 namespace nodal::elastic {
@@ -101,30 +101,29 @@ std::string add_forces(const Options& table, const Net& net, std::span<double> f
 }
 
 // A constant traction pulls with t · length · traction, whatever the direction of the edge.
-void add_traction(const Net& net, const OutlinePiece& piece, const std::vector<double>& traction,
+void add_traction(const Net& net, const BorderPiece& piece, const std::vector<double>& traction,
                   std::span<double> forces) {
-  const double half = 0.5 * net.body.thickness * distance(net.nodes[piece.from], net.nodes[piece.to]);
-  for (const std::size_t node : {piece.from, piece.to})
+  const double share = piece.share * norm(piece.area);
+  for (const std::size_t node : piece.nodes)
     for (std::size_t axis = 0; axis < net.dimension; ++axis)
-      forces[net.freedoms().at(node, axis)] += half * traction[axis];
+      forces[net.freedoms().at(node, axis)] += share * traction[axis];
 }
 
 std::string add_tractions(const Options& table, const Net& net, std::span<double> forces) {
   const std::vector<std::size_t> nodes = select_nodes(table, net);
   const std::string key = one_of(table, {"traction", "pressure", "stress"});
-  const auto selected = [&](std::size_t node) { return std::ranges::binary_search(nodes, node); };
   std::size_t pieces = 0;
-  for_each_outline_piece(net, [&](const OutlinePiece& piece) {
-    if (!selected(piece.from) || !selected(piece.to)) return;
+  for_each_border_piece(net, [&](const BorderPiece& piece) {
+    if (!piece.within(nodes)) return;
     ++pieces;
     if (key == "traction") {
       add_traction(net, piece, table.numbers(key), forces);
     } else if (key == "pressure") {
       const double p = table.number(key);
-      add_stress(net, piece, {-p, -p, 0.0}, forces);
+      add_stress(net, piece, {{{-p, 0.0, 0.0}, {0.0, -p, 0.0}, {}}}, forces);
     } else {
       const std::vector<double> s = table.numbers(key);
-      add_stress(net, piece, {s[0], s[1], s[2]}, forces);
+      add_stress(net, piece, {{{s[0], s[2], 0.0}, {s[2], s[1], 0.0}, {}}}, forces);
     }
   });
   if (pieces == 0)

@@ -12,7 +12,7 @@
 #include "geometry/plane/segment.h"
 #include "geometry/ties.h"
 #include "import/node_names.h"
-#include "loads/outline_forces.h"
+#include "loads/border_pieces.h"
 
 namespace nodal::elastic {
 
@@ -72,10 +72,10 @@ Nodes on_edge(const Value& value, const Net& net) {
                                                "nodes = [1, 2] or box = [x0, y0, x1, y1], or describe it, as by body = "
                                                "{{ size = [4, 4] }}",
                                                name));
-  if (name == "left") return box_side_nodes(net, 0, End::low);
-  if (name == "right") return box_side_nodes(net, 0, End::high);
-  if (name == "bottom") return box_side_nodes(net, 1, End::low);
-  if (name == "top") return box_side_nodes(net, 1, End::high);
+  if (name == "left") return side_nodes(net, 0, End::low);
+  if (name == "right") return side_nodes(net, 0, End::high);
+  if (name == "bottom") return side_nodes(net, 1, End::low);
+  if (name == "top") return side_nodes(net, 1, End::high);
   if (name == "outline") return net.outlines[0];
   if (const auto hole = number_after(name, "hole-"); hole && *hole >= 1 && *hole < net.outlines.size())
     return net.outlines[*hole];

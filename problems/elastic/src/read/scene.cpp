@@ -133,7 +133,7 @@ void tell_of_body(const Body& body, Account& account) {
 // Springs alone make a net of one Poisson's ratio; what was measured has no material that the study would know of.
 void tell_of_poisson(const Scene& scene, bool tied, Account& account) {
   const bool space = scene.net.dimension == 3;
-  const double poisson = space ? scene.material.poisson : scene.material.plane_poisson();
+  const double poisson = scene.material.elasticity(scene.net.dimension).poisson;
   if (std::abs(poisson - (space ? 0.25 : 1.0 / 3.0)) <= 0.02) return;
   account.remark(
       fmt::format("springs alone make a Cauchy-elastic net: even, isotropic ones have Poisson's ratio {}, the material "

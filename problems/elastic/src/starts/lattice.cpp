@@ -115,7 +115,7 @@ std::vector<double> lattice_stiffness(const Net& net, const Material& material) 
     throw Refusal(
         "the 'lattice' rule needs a crossed grid of square cells, or equilateral triangles, that fill the body to its "
         "outline");
-  for (double& count : k) count *= of_a_cell * material.plane_young() * net.body.thickness;
+  for (double& count : k) count *= of_a_cell * material.elasticity(2).young * net.body.thickness;
   return k;
 }
 

@@ -46,6 +46,13 @@ struct Body {
   }
 };
 
+/// The smallest upright box around a body; all zero around one of which only nodes are known.
+[[nodiscard]] Extent extent_of(const Body& body);
+
+/// The distance within which a node is on the body's border: plane::outline_tolerance of it, and rounding in space,
+/// where nodes are the grid's own.
+[[nodiscard]] double border_tolerance(const Body& body);
+
 namespace plane {
 
 struct Box {

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+/// What pulls at a body's border, as forces on its nodes.
+///
+/// Shapes   forces: [freedoms]. Units    Pa, N.
+
+#include <cstddef>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include <nodal/elastic/material.h>
+#include <nodal/elastic/net.h>
+
+namespace nodal::elastic {
+
+/// The border between neighbouring nodes on it: two on an outline, in its direction, or the corners of a cell's face.
+struct BorderPiece {
+  std::span<const std::size_t> nodes;
+  Vector area{};         ///< outward normal, times the length in the plane, the area in space
+  double share = 0.0;    ///< of σ·area that each node gets: in the plane half the thickness
+  std::size_t ring = 0;  ///< of the body, on which it lies
+
+  /// All of its nodes are among these, which ascend.
+  [[nodiscard]] bool within(const std::vector<std::size_t>& ascending) const;
+};
+
+/// Calls `visit` for every pair of neighbours on every outline, the closing one too, and in space for every facet. A
+/// ring with fewer than two nodes has none; one with two has both ways between them.
+void for_each_border_piece(const Net& net, const std::function<void(const BorderPiece&)>& visit);
+
+/// Adds what σ·n pulls with at one piece.
+void add_stress(const Net& net, const BorderPiece& piece, const Tensor& stress, std::span<double> forces);
+
+/// The nodes on a side of the body's bounding box, ascending: in the plane those of the outline; axis 0 is left and
+/// right, 1 bottom and top.
+enum class End { low, high };
+[[nodiscard]] std::vector<std::size_t> side_nodes(const Net& net, std::size_t axis, End end);
+
+}  // namespace nodal::elastic

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "loads/closed_form.h"
+
+namespace nodal::elastic {
+
+namespace {
+
+// `displacement` of where a node is, from `origin` on.
+template <class Displacement>
+std::vector<double> field(const Net& net, const Vector& origin, Displacement displacement) {
+  std::vector<double> u(net.freedoms().size());
+  for (std::size_t i = 0; i < net.nodes.size(); ++i) {
+    const Vector at = displacement(net.nodes[i] - origin);
+    for (std::size_t axis = 0; axis < net.dimension; ++axis) u[net.freedoms().at(i, axis)] = at[axis];
+  }
+  return u;
+}
+
+// ε + W: in the plane the turn that leaves the second node where it is across, in space the one that takes all shear
+// off what is below the diagonal.
+Tensor gradient_at_rest(const Net& net, Tensor strain, const std::vector<std::size_t>& rest) {
+  if (net.body.box) {
+    for (std::size_t a = 0; a < 3; ++a)
+      for (std::size_t b = a + 1; b < 3; ++b) {
+        strain[a][b] += strain[b][a];
+        strain[b][a] = 0.0;
+      }
+    return strain;
+  }
+  const Vector away = net.nodes[rest[1]] - net.nodes[rest[0]];
+  const double turn = -(strain[1][0] * away[0] + strain[1][1] * away[1]) / away[0];
+  strain[0][1] -= turn;
+  strain[1][0] += turn;
+  return strain;
+}
+
+}  // namespace
+
+std::vector<double> displacements_on_a_side(const Net& net, const Elasticity& elasticity, const Tensor& stress,
+                                            std::size_t axis, const Vector& origin) {
+  Vector pull{};  // times 1/E: the strain along each axis
+  for (std::size_t a = 0; a < net.dimension; ++a)
+    for (std::size_t b = 0; b < net.dimension; ++b) pull[a] += (a == b ? 1.0 : -elasticity.poisson) * stress[b][b];
+  return field(net, origin, [&](const Vector& x) {
+    Vector u{};
+    for (std::size_t a = 0; a < net.dimension; ++a) {
+      u[a] = pull[a] * x[a] / elasticity.young;
+      if (a != axis && stress[a][axis] != 0.0) u[a] += stress[a][axis] * x[axis] / elasticity.shear;
+    }
+    return u;
+  });
+}
+
+std::vector<double> displacements_at_rest(const Net& net, const Elasticity& elasticity, const Tensor& stress,
+                                          const std::vector<std::size_t>& rest) {
+  const Tensor gradient = gradient_at_rest(net, elasticity.strain(stress), rest);
+  return field(net, net.nodes[rest[0]], [&](const Vector& x) { return gradient * x; });
+}
+
+}  // namespace nodal::elastic

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+/// Loads as they are said about the body, and what becomes of them on a net.
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include <nodal/elastic/loads.h>
+
+namespace nodal::elastic {
+
+enum class Hold {
+  sliding,  ///< the body's low side along `axis` stays in its place along it, and neither shifts nor turns in itself
+  clamped,  ///< that side doesn't move at all
+  resting,  ///< rigid motions, and nothing else
+};
+
+struct LoadSpec {
+  std::string name;
+  Tensor stress{};  ///< homogeneous; σ·n pulls at the whole border, but for a sliding side, which bears what is there
+  Hold hold = Hold::resting;
+  std::size_t axis = 0;  ///< of the side that is held
+};
+
+/// Those of make_basic_loads (nodal/elastic/loads.h), in its order.
+[[nodiscard]] std::vector<LoadSpec> basic_load_specs(std::size_t dimension, double stress, SupportStyle style);
+
+/// Forces and supports on a net's nodes, and the displacements of the homogeneous body (closed_form.h) as reference.
+/// Refusal as make_basic_loads.
+[[nodiscard]] LoadSet discretize(const std::vector<LoadSpec>& specs, const Net& net, const Material& material);
+
+}  // namespace nodal::elastic
