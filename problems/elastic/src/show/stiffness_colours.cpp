@@ -68,7 +68,8 @@ std::string StiffnessColours::colour(std::size_t step) {
   // Along viridis, stopping before its yellow, which vanishes on white.
   constexpr std::array<std::array<double, 3>, 6> kStops = {
       {{68, 1, 84}, {65, 68, 135}, {42, 120, 142}, {34, 168, 132}, {122, 209, 81}, {190, 205, 30}}};
-  const double at = static_cast<double>(step) / static_cast<double>(kSteps - 1) * static_cast<double>(kStops.size() - 1);
+  const double at =
+      static_cast<double>(step) / static_cast<double>(kSteps - 1) * static_cast<double>(kStops.size() - 1);
   const std::size_t below = std::min(static_cast<std::size_t>(at), kStops.size() - 2);
   std::array<int, 3> rgb{};
   for (std::size_t c = 0; c < 3; ++c)
