@@ -16,7 +16,7 @@ namespace nodal::elastic {
 
 /// Of a body whose side across `axis` stays upright: W makes all shear towards the side a shift along it,
 ///     u_a = ε_aa (x_a − o_a) + 2 ε_a,axis (x_axis − o_axis),  the second for a ≠ axis.
-/// The stress has no shear within the side. Moduli divide last, which keeps round numbers round.
+/// The stress is one that such a side bears (load_spec.h). Moduli divide last, which keeps round numbers round.
 [[nodiscard]] std::vector<double> displacements_on_a_side(const Net& net, const Elasticity& elasticity,
                                                           const Tensor& stress, std::size_t axis, const Vector& origin);
 

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <stdexcept>
 
 #include <fmt/format.h>
 
@@ -31,6 +32,16 @@ void require_border(const Net& net) {
                                 r == 0 ? "the outline" : fmt::format("hole {}", r),
                                 net.outlines[r].empty() ? "no node" : "only 1 node"));
   if (!net.body.has_outline() && !net.body.box) throw Refusal("the plate loads need a body with an outline to pull at");
+}
+
+void require_closed_form(const LoadSpec& spec) {
+  for (std::size_t a = 0; a < 3; ++a)
+    for (std::size_t b = 0; b < 3; ++b) {
+      const bool towards = (a == spec.axis) != (b == spec.axis);
+      const bool borne = spec.hold == Hold::sliding ? a == b : spec.hold == Hold::clamped ? towards : true;
+      if (spec.stress[a][b] != 0.0 && !borne)
+        throw std::invalid_argument(fmt::format("load '{}' has no closed form under its supports", spec.name));
+    }
 }
 
 // Distances that differ by less are equal.
@@ -146,6 +157,7 @@ LoadSet discretize(const std::vector<LoadSpec>& specs, const Net& net, const Mat
   require_border(net);
   LoadSetBuilder set(net.freedoms());
   for (const LoadSpec& spec : specs) {
+    require_closed_form(spec);
     Held held = hold(spec, net, material.elasticity(net.dimension));
     set.add(spec.name, forces(spec, net), std::move(held.reference), std::move(held.supports));
   }

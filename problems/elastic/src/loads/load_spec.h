@@ -12,8 +12,9 @@
 namespace nodal::elastic {
 
 enum class Hold {
-  sliding,  ///< the body's low side along `axis` stays in its place along it, and neither shifts nor turns in itself
-  clamped,  ///< that side doesn't move at all
+  sliding,  ///< the body's low side along `axis` stays in its place along it, and neither shifts nor turns in itself:
+            ///< it bears stresses without shear
+  clamped,  ///< that side doesn't move at all: it bears shear towards it, and nothing that would stretch it
   resting,  ///< rigid motions, and nothing else
 };
 
@@ -28,7 +29,7 @@ struct LoadSpec {
 [[nodiscard]] std::vector<LoadSpec> basic_load_specs(std::size_t dimension, double stress, SupportStyle style);
 
 /// Forces and supports on a net's nodes, and the displacements of the homogeneous body (closed_form.h) as reference.
-/// Refusal as make_basic_loads.
+/// Refusal as make_basic_loads. std::invalid_argument for a stress that a side doesn't bear: there is no closed form.
 [[nodiscard]] LoadSet discretize(const std::vector<LoadSpec>& specs, const Net& net, const Material& material);
 
 }  // namespace nodal::elastic

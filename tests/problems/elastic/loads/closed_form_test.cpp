@@ -8,6 +8,7 @@
 #include <functional>
 #include <map>
 #include <numeric>
+#include <stdexcept>
 
 #include "loads/closed_form.h"
 #include "loads/load_spec.h"
@@ -119,6 +120,28 @@ TEST(ClosedForm, StressesWithoutShearSlideOnASide) {
     double pull = 0.0;
     for (std::size_t f = axis; f < set.loads[0].forces.size(); f += 3) pull += set.loads[0].forces[f];
     EXPECT_NEAR(pull, stress[axis][axis] * kVolume / kSize[axis], kRounding) << axis;
+  }
+}
+
+TEST(ClosedForm, WhatASideDoesNotBearHasNone) {
+  const auto bears = [](const Tensor& stress, Hold hold) {
+    try {
+      (void)discretize({{"any", stress, hold, 1}}, block(), kStress);
+    } catch (const std::invalid_argument&) {
+      return false;
+    }
+    return true;
+  };
+  const Tensor towards = symmetric(0.0, 0.0, 0.0, 1.0, 1.0, 0.0), within = symmetric(0.0, 0.0, 0.0, 0.0, 0.0, 1.0);
+  EXPECT_TRUE(bears(towards, Hold::clamped));
+  EXPECT_FALSE(bears(towards, Hold::sliding));
+  EXPECT_FALSE(bears(within, Hold::clamped));
+  EXPECT_FALSE(bears(within, Hold::sliding));
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    Tensor stretch{};
+    stretch[axis][axis] = 1.0;
+    EXPECT_FALSE(bears(stretch, Hold::clamped));
+    EXPECT_TRUE(bears(stretch, Hold::sliding));
   }
 }
 
