@@ -125,6 +125,37 @@ TEST(ElasticHouse, FoldersAreFloors) {
   }
 }
 
+// The lowest floor that may include a public header: what a header declares stands there or above. A scene is known
+// from where equilibria are made of it on, a problem where it is written out and shown.
+const std::map<std::string, std::string> kLowestReaders = {{"account.h", "account"},
+                                                           {"body.h", "account"},
+                                                           {"determination.h", "export"},
+                                                           {"elastic_problem.h", "export"},
+                                                           {"extended_equilibrium.h", "system"},
+                                                           {"loads.h", "rigidity"},
+                                                           {"material.h", "material"},
+                                                           {"mechanism.h", "rigidity"},
+                                                           {"net.h", "triangulation"},
+                                                           {"parameters.h", "parameters"},
+                                                           {"point.h", "account"},
+                                                           {"pruning.h", "export"},
+                                                           {"scene.h", "system"},
+                                                           {"state.h", "system"},
+                                                           {"stiffness.h", "import"},
+                                                           {"vector.h", "account"}};
+
+TEST(ElasticHouse, PublicHeadersAreIncludedFromTheirFloorOn) {
+  const std::regex include("^#include <nodal/elastic/([^>]+)>");
+  for (const Line& line : all_lines()) {
+    std::smatch match;
+    if (!std::regex_search(line.text, match, include)) continue;
+    const auto lowest = kLowestReaders.find(match[1]);
+    ASSERT_NE(lowest, kLowestReaders.end()) << match[1] << ": say from which floor on it may be included";
+    EXPECT_LE(floor_of(lowest->second), floor_of(folder_of(line.file)))
+        << line.file << ":" << line.number << " includes " << match[1];
+  }
+}
+
 TEST(ElasticHouse, GeometryIsInTheNamespaceOfItsDimension) {
   const std::regex opening("^namespace (nodal[a-z:]*) \\{");
   std::map<std::string, std::set<std::string>> namespaces;  // that a file opens

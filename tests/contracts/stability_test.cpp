@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include <nodal/elastic/elastic_problem.h>
 #include <nodal/elastic/extended_equilibrium.h>
 #include <nodal/trial.h>
 

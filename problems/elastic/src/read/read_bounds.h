@@ -13,7 +13,7 @@
 #include <array>
 #include <string>
 
-#include <nodal/elastic/elastic_problem.h>
+#include <nodal/elastic/scene.h>
 
 #include "read/read_net.h"
 #include "starts/paper_start.h"

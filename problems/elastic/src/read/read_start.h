@@ -6,7 +6,7 @@
 
 #include <string>
 
-#include <nodal/elastic/elastic_problem.h>
+#include <nodal/elastic/scene.h>
 
 #include "read/read_net.h"
 #include "starts/paper_start.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <nodal/elastic/elastic_problem.h>
+#include <nodal/elastic/scene.h>
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 
 /// The loads and references that a study asks for.
 
-#include <nodal/elastic/elastic_problem.h>
+#include <nodal/elastic/scene.h>
 
 namespace nodal::elastic {
 

@@ -6,7 +6,7 @@
 #include <array>
 #include <vector>
 
-#include <nodal/elastic/elastic_problem.h>
+#include <nodal/elastic/scene.h>
 
 namespace nodal::elastic {
 

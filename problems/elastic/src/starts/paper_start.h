@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include <nodal/elastic/elastic_problem.h>
+#include <nodal/elastic/scene.h>
 
 namespace nodal::elastic {
 

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include <nodal/elastic/elastic_problem.h>
+#include <nodal/elastic/scene.h>
 
 #include "tables/table.h"
 

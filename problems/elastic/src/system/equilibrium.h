@@ -24,7 +24,7 @@
 #include <string>
 #include <vector>
 
-#include <nodal/elastic/elastic_problem.h>
+#include <nodal/elastic/scene.h>
 
 #include "geometry/with_dimension.h"
 #include "system/factor/cholesky.h"

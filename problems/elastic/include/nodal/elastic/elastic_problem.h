@@ -8,76 +8,17 @@
 /// Coordinates are ln k (parameters.h) within bounds.
 /// Threads  immutable; `solve` makes its own workspace.
 
-#include <array>
-#include <limits>
 #include <memory>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include <nodal/elastic/account.h>
-#include <nodal/elastic/loads.h>
-#include <nodal/elastic/parameters.h>
+#include <nodal/elastic/scene.h>
+#include <nodal/elastic/state.h>
 #include <nodal/problem.h>
-#include <nodal/registry.h>
 
 namespace nodal::elastic {
-
-/// Weights of squared differences, G_{inner:border:corner}.
-struct Weights {
-  double inner = 1.0, border = 3.0, corner = 15.0;
-};
-
-/// How single changes are priced; docs/formulation/moves.md explains the forms.
-struct MovesOptions {
-  std::string form = "auto";          ///< auto | eager | lazy | refactor | updown | full
-  std::string instructions = "auto";  ///< of the lane kernels: auto, or one of lane_instructions()
-};
-
-/// Everything that defines the problem, already consistent.
-struct Scene {
-  Net net;
-  Material material;
-  LoadSet loads;
-  Weights weights;
-  ParameterRule parameter_rule;
-  std::vector<double> initial_stiffness;  ///< [springs], before tying and before moving inside the bounds
-  std::array<double, 2> stiffness_bounds = {0.0, std::numeric_limits<double>::infinity()};  ///< N/m
-  bool has_reference = true;    ///< false: only to be solved, there is nothing to compare displacements with
-  std::string fit_refusal;      ///< why it can be evaluated, but not fitted; empty ordinarily
-  std::string solver = "auto";  ///< auto | lanes | simplicial | supernodal
-  MovesOptions moves = {};
-
-  /// Of squared differences at a node's free freedoms.
-  [[nodiscard]] double weight_of(std::size_t node) const {
-    return net.on_corner(node) ? weights.corner : net.on_border(node) ? weights.border : weights.inner;
-  }
-};
-
-/// A scene, and what those who made it say of it.
-struct MadeScene {
-  Scene scene;
-  Account account;
-};
-
-/// The equilibrium of one load at given stiffnesses.
-struct LoadState {
-  std::string name;
-  double quality = 0.0;
-  std::vector<double> displacement;  ///< [2 · nodes]
-  std::vector<double> reference;     ///< [2 · nodes]; empty where the scene has none
-  std::vector<double> spring_force;  ///< [springs] k_e b_e·u, positive where it pulls
-  std::vector<Support> supports;
-  std::vector<double> bearing;  ///< force on each support (eq. 11)
-};
-
-struct State {
-  Status status = Status::invalid_input;
-  std::string message;                         ///< for another status than ok: what is wrong, with the node or spring
-  double quality = 0.0, relative_error = 0.0;  ///< both 0 without a reference
-  std::vector<LoadState> loads;
-  Health health;
-};
 
 class ElasticProblem final : public Problem {
  public:
@@ -117,10 +58,5 @@ class ElasticProblem final : public Problem {
   struct Data;
   std::unique_ptr<Data> data_;
 };
-
-/// The options of `kind = "elastic"` (docs/config_reference.md); the defaults are the 25-node plate.
-[[nodiscard]] OptionSchema elastic_schema();
-/// Builds the scene that options describe. InputError with the source of the value at fault.
-[[nodiscard]] MadeScene make_scene(const Options& options, const ProblemContext& context);
 
 }  // namespace nodal::elastic

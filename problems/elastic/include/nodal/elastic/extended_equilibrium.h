@@ -17,7 +17,8 @@
 #include <span>
 #include <vector>
 
-#include <nodal/elastic/elastic_problem.h>
+#include <nodal/elastic/scene.h>
+#include <nodal/elastic/state.h>
 
 namespace nodal::elastic {
 
