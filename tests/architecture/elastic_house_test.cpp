@@ -190,7 +190,8 @@ TEST(ElasticHouse, DimensionsAreToldApartInFewPlaces) {
 
 TEST(ElasticHouse, OnlyFreedomsMultipliesByTheDimension) {
   const std::regex arithmetic(
-      "\\b2 ?\\* ?(node|i\\b|s\\.(first|second|node)|spring\\.(first|second))|(freedom|\\bf|\\bi) ?[/%] ?2\\b");
+      "\\b2 ?\\* ?(node|count|i\\b|s\\.(first|second|node)|spring\\.(first|second))|(freedom|\\bf|\\bi) ?[/%] ?2\\b|"
+      "\\{[23], [a-z_.()]*size\\(\\)");
   for (const Line& line : all_lines())
     EXPECT_FALSE(std::regex_search(line.text, arithmetic)) << line.file << ":" << line.number << ": " << line.text;
 }

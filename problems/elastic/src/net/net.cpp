@@ -12,4 +12,10 @@ Spring make_spring(const std::vector<Vector>& nodes, std::size_t i, std::size_t 
   return {first, second, length, {d[0] / length, d[1] / length, d[2] / length}};
 }
 
+double volume_of(const std::vector<Vector>& nodes, const std::array<std::size_t, 4>& tetrahedron) {
+  const Vector &o = nodes[tetrahedron[0]], a = nodes[tetrahedron[1]] - o, b = nodes[tetrahedron[2]] - o,
+               c = nodes[tetrahedron[3]] - o;
+  return dot(cross(a, b), c) / 6.0;
+}
+
 }  // namespace nodal::elastic

@@ -2,6 +2,7 @@
 #include "objective/displacement_term.h"
 
 #include <algorithm>
+#include <stdexcept>
 
 #include "displacements/spread.h"
 
@@ -66,7 +67,8 @@ Status DisplacementEvaluator::add_transposed_product(std::span<const double> w, 
   return Status::ok;
 }
 
-Status DisplacementEvaluator::jacobian(const Parameters& /*parameters*/, std::span<double> rows) {
+Status DisplacementEvaluator::jacobian(const Parameters& parameters, std::span<double> rows) {
+  if (&parameters != &model_.parameters) throw std::invalid_argument("jacobian: parameters of another model");
   std::ranges::fill(rows, 0.0);
   solver_->add_jacobian(rows);
   return Status::ok;

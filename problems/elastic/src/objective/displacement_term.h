@@ -44,15 +44,15 @@ class DisplacementEvaluator final : public TermEvaluator {
   Status add_gradient(double weight, const SystemGradient& gradient) override;
   Status product(const System& direction, std::span<double> jv) override;
   Status add_transposed_product(std::span<const double> w, const SystemGradient& gradient) override;
+  /// std::invalid_argument for other parameters than the model's, whose ties its loops know.
   Status jacobian(const Parameters& parameters, std::span<double> rows) override;
   [[nodiscard]] Moves* moves() override;
   [[nodiscard]] Work work() const override;
   [[nodiscard]] Health health() const override { return health_; }
 
-  /// CHOLMOD's equilibria, at the last audit's point.
+ private:
   [[nodiscard]] FullEvaluation& full();
 
- private:
   const ElasticModel& model_;
   bool by_lanes_;
   std::unique_ptr<LaneEvaluation> lanes_;  // both made when first needed: a race may never need CHOLMOD's factors

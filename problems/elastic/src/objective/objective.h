@@ -61,8 +61,6 @@ class ObjectiveEvaluator {
   [[nodiscard]] Moves* moves();
   [[nodiscard]] Work work() const;
   [[nodiscard]] const Health& health() const noexcept { return health_; }
-  /// Of the first fitted term: for what is asked of it alone.
-  [[nodiscard]] TermEvaluator& first() { return *parts_.front().evaluator; }
 
  private:
   struct Part {

@@ -9,15 +9,16 @@ namespace nodal::elastic::show {
 
 namespace {
 
-PicturedLoad make_load(const Projection& projection, const LoadState& state, const LoadCase& load,
+PicturedLoad make_load(const Freedoms& freedoms, const LoadState& state, const LoadCase& load,
                        const SupportGroup& group) {
+  const Projection projection(freedoms.dimension);
   PicturedLoad drawn{state.name,
                      state.quality,
                      projection.of(state.displacement),
                      projection.of(state.reference),
                      projection.of(load.forces),
                      {},
-                     known_freedoms(group, state.reference)};
+                     known_freedoms(group, freedoms, state.reference)};
   if (state.reference.empty()) {  // nothing of it is known, so nothing is drawn
     drawn.reference = drawn.displacement;
     drawn.known.assign(drawn.displacement.size(), {false, false});
@@ -46,9 +47,9 @@ Picture make_net(const Net& net, std::span<const double> stiffness) {
 
 }  // namespace
 
-std::vector<std::array<bool, 2>> known_freedoms(const SupportGroup& group, std::span<const double> reference) {
+std::vector<std::array<bool, 2>> known_freedoms(const SupportGroup& group, const Freedoms& plane,
+                                                std::span<const double> reference) {
   if (group.weights.empty()) return {};  // all is known, as always in space
-  const Freedoms plane{2, reference.size() / 2};
   const auto held = [&](std::size_t freedom) {
     return std::ranges::any_of(group.supports, [&](const Support& s) {
       return plane.at(s.node, s.axis) == freedom && s.value == reference[freedom];
@@ -75,7 +76,7 @@ Picture make_picture(const ElasticProblem& problem, std::span<const double> stif
   const LoadSet& set = problem.scene().loads;
   for (std::size_t l = 0; l < state.loads.size(); ++l)
     picture.loads.push_back(
-        make_load(Projection(problem.net().dimension), state.loads[l], set.loads[l], set.groups[set.loads[l].group]));
+        make_load(problem.net().freedoms(), state.loads[l], set.loads[l], set.groups[set.loads[l].group]));
   return picture;
 }
 

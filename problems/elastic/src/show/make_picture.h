@@ -24,7 +24,7 @@ namespace nodal::elastic::show {
 
 /// What the reference says at each node, x and y; empty where it says all. A freedom of weight 0 is known only where it
 /// is held at the reference.
-[[nodiscard]] std::vector<std::array<bool, 2>> known_freedoms(const SupportGroup& group,
+[[nodiscard]] std::vector<std::array<bool, 2>> known_freedoms(const SupportGroup& group, const Freedoms& plane,
                                                               std::span<const double> reference);
 
 }  // namespace nodal::elastic::show

@@ -43,13 +43,8 @@ bool joins(std::string_view topology, const BlockIndex& from, const Step& step) 
   return even(lowest) == step.rising;
 }
 
-double volume(const Net& net, const std::array<std::size_t, 4>& t) {
-  const Vector &o = net.nodes[t[0]], a = net.nodes[t[1]] - o, b = net.nodes[t[2]] - o, c = net.nodes[t[3]] - o;
-  return dot(cross(a, b), c) / 6.0;
-}
-
 void add_tetrahedron(Net& net, std::array<std::size_t, 4> nodes, double share) {
-  if (volume(net, nodes) < 0.0) std::swap(nodes[2], nodes[3]);
+  if (volume_of(net.nodes, nodes) < 0.0) std::swap(nodes[2], nodes[3]);
   net.tetrahedra.push_back({nodes, share});
 }
 

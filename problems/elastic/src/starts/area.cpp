@@ -66,9 +66,7 @@ std::vector<double> areas_of_triangles(const Net& net) {
 std::vector<double> volumes_beside(const Net& net) {
   std::map<NodePair, double> beside;
   for (const Tetrahedron& t : net.tetrahedra) {
-    const Vector &o = net.nodes[t.nodes[0]], a = net.nodes[t.nodes[1]] - o, b = net.nodes[t.nodes[2]] - o,
-                 c = net.nodes[t.nodes[3]] - o;
-    const double volume = t.share * dot(cross(a, b), c) / 6.0;
+    const double volume = t.share * volume_of(net.nodes, t.nodes);
     for (std::size_t i = 0; i < 4; ++i)
       for (std::size_t j = i + 1; j < 4; ++j) beside[std::minmax(t.nodes[i], t.nodes[j])] += volume;
   }

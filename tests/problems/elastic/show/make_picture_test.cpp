@@ -47,13 +47,13 @@ TEST(Plates, AreTheProblemsNetAndLoads) {
 TEST(Plates, ReferenceIsKnownWhereItCounts) {
   SupportGroup group;
   const std::vector<double> reference = {0.0, 0.0, 0.1, 0.0, 0.0, 0.0};
-  EXPECT_EQ(known_freedoms(group, reference), Known{});
+  EXPECT_EQ(known_freedoms(group, {2, 3}, reference), Known{});
   group.weights = {1.0, 1.0, 2.0, 0.5, 1.0, 1.0};
-  EXPECT_EQ(known_freedoms(group, reference), Known{});
+  EXPECT_EQ(known_freedoms(group, {2, 3}, reference), Known{});
   group.weights = {0.0, 0.0, 1.0, 1.0, 1.0, 0.0};
-  EXPECT_EQ(known_freedoms(group, reference), (Known{{false, false}, {true, true}, {true, false}}));
+  EXPECT_EQ(known_freedoms(group, {2, 3}, reference), (Known{{false, false}, {true, true}, {true, false}}));
   group.supports = {{0, 0, 0.0}, {2, 1, 0.3}};  // held at the reference; held elsewhere
-  EXPECT_EQ(known_freedoms(group, reference), (Known{{true, false}, {true, true}, {true, false}}));
+  EXPECT_EQ(known_freedoms(group, {2, 3}, reference), (Known{{true, false}, {true, true}, {true, false}}));
 }
 
 }  // namespace

@@ -48,7 +48,6 @@ class Outline {
 
   [[nodiscard]] const std::vector<Chain>& chains() const noexcept { return chains_; }
   [[nodiscard]] std::size_t rings() const noexcept { return rings_.size(); }
-  [[nodiscard]] double ring_length(std::size_t ring) const { return rings_[ring].length(); }
   /// How many corners a ring has; its chains are chains()[first_chain(ring)] and on, at least one.
   [[nodiscard]] std::size_t corners(std::size_t ring) const noexcept { return corners_[ring]; }
   [[nodiscard]] std::size_t first_chain(std::size_t ring) const noexcept { return first_chain_[ring]; }
