@@ -11,6 +11,7 @@
 
 #include "import/node_names.h"
 #include "import/same_height.h"
+#include "import/same_length.h"
 #include "import/system_entries.h"
 
 namespace nodal::elastic {
@@ -65,8 +66,7 @@ void refuse_too_few_groups(const std::vector<SpringEntry>& entries) {
 
 // Springs are at rest where their nodes are: a length of its own would be one of a stressed system.
 void require_rest_length(const SpringEntry& entry, const Spring& spring, double scale, double size) {
-  constexpr double kSameLength = 1e-6;  // of the system's size, so that six digits do
-  if (!entry.length || std::abs(*entry.length * scale - spring.length) <= kSameLength * size) return;
+  if (!entry.length || same_length(*entry.length * scale, spring.length, size)) return;
   throw InputError(
       entry.source,
       fmt::format("spring ({}, {}) has length {}, and its nodes are {:.6g} apart: springs at rest only can "

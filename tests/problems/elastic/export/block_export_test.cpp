@@ -53,5 +53,20 @@ TEST_F(BlockExport, OfAnotherBlockIsRefused) {
                "the plane only");
 }
 
+// Nodes and springs of boxes have the same names as far as their counts go; a body of another size doesn't fit a file.
+TEST_F(BlockExport, OfABlockOfAnotherSizeIsRefused) {
+  const auto block = make_block();
+  write("fitted.json", system_json(*block, block->start_stiffness()));
+  EXPECT_PRED2(says, toy::message_of([&] { (void)from_file({.size = "[4, 4, 7]"}); }),
+               "spring (0, 1) has length 1 m in the file and 2 m in the net: the file is of another body or net; give "
+               "stiffnesses that belong to this one");
+  EXPECT_PRED2(says, toy::message_of([&] { (void)from_file({.size = "[2, 2, 3]"}); }), " has length 1 m in the file");
+  std::string nodes = "{\"nodes\": [{\"x\": 0, \"y\": 0, \"z\": 0}, {\"x\": 1, \"y\": 0, \"z\": 0.5}],\n";
+  const std::string whole = system_json(*block, block->start_stiffness());
+  write("fitted.json", nodes + whole.substr(whole.find("\"springs\"")));
+  EXPECT_PRED2(says, toy::message_of([&] { (void)from_file({}); }),
+               "node 1 is at (1, 0, 0.5) m in the file and at (1, 0, 0) m in the net");
+}
+
 }  // namespace
 }  // namespace nodal::elastic

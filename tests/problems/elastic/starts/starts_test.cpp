@@ -180,6 +180,44 @@ TEST_F(StiffnessFile, WithANegativeStiffnessIsRefused) {
   write("{\"springs\": [{\"nodes\": [0, 1], \"stiffness\": -2}]}");
   EXPECT_EQ(refusal(), "FILE:1: spring (0, 1) has stiffness -2; it must be a positive number");
 }
+// The names of nodes and springs are the same on any rectangle; their lengths and places aren't.
+TEST_F(StiffnessFile, OfAnotherBodyIsRefused) {
+  const std::vector<double> k = {1, 2, 3, 4, 5};
+  const Net other = make_grid_net(plane::rectangle_body({0, 0}, {1, 3}), 2, 2, "single");
+  write(system_json(other, k));
+  EXPECT_EQ(refusal(),
+            "FILE:10: spring (0, 2) has length 3 m in the file and 1 m in the net: the file is of another body or net; "
+            "give stiffnesses that belong to this one");
+  write(system_json(make_grid_net(plane::rectangle_body({0, 7}, {1, 1}), 2, 2, "single"), k));
+  EXPECT_EQ(refusal(),
+            "FILE:3: node 0 is at (0, 7) m in the file and at (0, 0) m in the net: the file is of another body or net; "
+            "give stiffnesses that belong to this one");
+}
+TEST_F(StiffnessFile, MayRoundLengthsAndPlacesToSixDigits) {
+  Net rounded = net_;
+  for (Vector& p : rounded.nodes) p[0] += 4e-7;
+  for (Spring& s : rounded.springs) s.length *= 1.0 + 4e-7;
+  write(system_json(rounded, {1, 2, 3, 4, 5}));
+  EXPECT_EQ(refusal(), "accepted");
+  for (Spring& s : rounded.springs) s.length *= 1.0 + 4e-6;
+  write(system_json(rounded, {1, 2, 3, 4, 5}));
+  EXPECT_NE(refusal(), "accepted");
+}
+TEST_F(StiffnessFile, WithNodesOfItsOwnIsHeldToThem) {
+  const auto with_nodes = [&](const std::string& nodes) {
+    const std::string springs = system_json(net_, {1, 2, 3, 4, 5});
+    write("{\"nodes\": [" + nodes + "],\n" + springs.substr(springs.find("\"springs\"")));
+    return refusal();
+  };
+  EXPECT_EQ(with_nodes(R"({"x": 0, "y": 0}, {"x": 1, "y": 0})"), "accepted");   // counted from 0
+  EXPECT_EQ(with_nodes(R"({"node": 3, "x": 1, "y": 1, "z": 5})"), "accepted");  // z is the same everywhere
+  EXPECT_NE(with_nodes(R"({"x": 0, "y": 0}, {"x": 0, "y": 1})"), "accepted");
+  EXPECT_EQ(with_nodes(R"({"node": 4, "x": 0, "y": 2})"),
+            "FILE:1: node 4 is unknown to the net: the file is of another body or net; give stiffnesses that belong to "
+            "this one");
+  net_.ids = {10, 11, 12, 13};  // nodes without a name are none of these
+  EXPECT_EQ(with_nodes(R"({"x": 0, "y": 0}, {"x": 0, "y": 1})"), "accepted");
+}
 TEST_F(StiffnessFile, ThatIsNotThereIsRefused) {
   EXPECT_EQ(refusal(), "cannot read stiffness file 'FILE': No such file or directory");
 }

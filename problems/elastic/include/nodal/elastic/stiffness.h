@@ -33,8 +33,10 @@ namespace nodal::elastic {
 [[nodiscard]] std::vector<double> lattice_stiffness(const Net& net, const Material& material);
 
 /// Reads the springs of a system file, {"springs": [{"nodes": [i, j], "stiffness": k}, …]}, in any order; nodes by what
-/// the net calls them. Other keys than a system file's are refused; only stiffnesses are taken.
-/// InputError for a missing, doubled or unknown spring, or a stiffness that is not a positive number.
+/// the net calls them. Other keys than a system file's are refused; only stiffnesses are taken. Lengths of springs and
+/// places of nodes [m], where the file has them, must be the net's within 1e-6 of its size: a file of another body is
+/// refused.
+/// InputError for a missing, doubled or unknown spring, an unknown node, or a stiffness that is not a positive number.
 [[nodiscard]] std::vector<double> read_stiffness_file(InputFiles& files, const std::filesystem::path& path,
                                                       const Net& net);
 /// One that no study names.
