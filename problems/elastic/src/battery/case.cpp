@@ -23,13 +23,14 @@ OptionSchema change_schema() {
       {.name = "springs",
        .type = OptionType::text,
        .default_value = "all",
-       .choices = {"all", "horizontal", "vertical", "diagonal"},
-       .help = "of this direction"},
+       .choices = {"all", "x", "y", "z", "horizontal", "vertical", "diagonal"},
+       .help = "of this direction: along an axis, in the plane also called horizontal and vertical, or along none"},
       {.name = "within",
        .type = OptionType::number_list,
        .unit = "m",
        .length = 4,
-       .help = "with both ends in the rectangle x0, y0, x1, y1"},
+       .longest = 6,
+       .help = "with both ends in the rectangle x0, y0, x1, y1, in space in the box x0, y0, z0, x1, y1, z1"},
       {.name = "node", .type = OptionType::integer, .minimum = 0, .help = "with an end at this node"},
       {.name = "between",
        .type = OptionType::integer_list,
@@ -68,7 +69,8 @@ OptionSchema case_schema() {
       {.name = "stretch",
        .type = OptionType::number_list,
        .length = 2,
-       .help = "coordinates times this, loads as before"},
+       .longest = 3,
+       .help = "coordinates times this, one number per axis; loads as before"},
       {.name = "stiffness",
        .type = OptionType::number,
        .unit = "N/m",
@@ -85,16 +87,21 @@ std::optional<Value> take(Value& table, std::string_view key) {
   return value;
 }
 
-// A list of lists of `length` numbers, not all of which need be finite.
-std::vector<std::vector<double>> rows(const std::optional<Value>& value, std::size_t length, const char* key) {
+// A list of lists of as many numbers each, from `least` to `most`; not all need be finite.
+std::vector<std::vector<double>> rows(const std::optional<Value>& value, std::size_t least, std::size_t most,
+                                      const char* key) {
   std::vector<std::vector<double>> result;
   if (!value) return result;
-  const auto fits = [length](const Value& row) {
-    return row.is_list() && row.list().size() == length &&
+  const auto fits = [&](const Value& row) {
+    return row.is_list() && row.list().size() >= least && row.list().size() <= most &&
+           row.list().size() == value->list().front().list().size() &&
            std::ranges::all_of(row.list(), [](const Value& x) { return x.is_number(); });
   };
   if (!value->is_list() || !std::ranges::all_of(value->list(), fits))
-    throw InputError(value->source, fmt::format("'{}' must be a list of lists of {} numbers", key, length));
+    throw InputError(
+        value->source,
+        least == most ? fmt::format("'{}' must be a list of lists of {} numbers", key, least)
+                      : fmt::format("'{}' must be a list of lists of {} numbers, or of {} in space", key, least, most));
   for (const Value& row : value->list()) result.push_back(row.numbers());
   return result;
 }
@@ -119,38 +126,51 @@ std::size_t index(double number, std::size_t count, const Reading& reading, cons
   return static_cast<std::size_t>(number);
 }
 
-void aim(Spring& spring, const Net& net) {
-  const Vector &a = net.nodes[spring.first], &b = net.nodes[spring.second];
-  spring.length = std::hypot(b[0] - a[0], b[1] - a[1]);
-  spring.direction = {(b[0] - a[0]) / spring.length, (b[1] - a[1]) / spring.length};
+// What is said per axis has an entry for each that the system has.
+void require_entries(std::size_t entries, std::size_t needed, const Net& net, const Reading& reading,
+                     const char* what) {
+  if (entries != needed)
+    throw InputError(reading.source, fmt::format("{} has {} entries; a system {} needs {}", what, entries,
+                                                 net.dimension == 3 ? "in space" : "in the plane", needed));
 }
 
 void set_forces(Scene& scene, const Reading& reading) {
-  for (LoadCase& load : scene.loads.loads)
-    for (const std::vector<double>& force : reading.forces) {
-      const std::size_t node = index(force[0], scene.net.nodes.size(), reading, "node");
-      load.forces[scene.net.freedoms().at(node, 0)] = force[1];
-      load.forces[scene.net.freedoms().at(node, 1)] = force[2];
-    }
+  const Freedoms freedoms = scene.net.freedoms();
+  for (const std::vector<double>& force : reading.forces) {
+    require_entries(force.size(), 1 + freedoms.dimension, scene.net, reading, "an entry of 'forces'");
+    const std::size_t node = index(force[0], freedoms.nodes, reading, "node");
+    for (LoadCase& load : scene.loads.loads)
+      for (std::size_t axis = 0; axis < freedoms.dimension; ++axis)
+        load.forces[freedoms.at(node, axis)] = force[1 + axis];
+  }
+}
+
+void stretch(Net& net, const Reading& reading) {
+  const std::vector<double> factors = reading.options.numbers("stretch");
+  require_entries(factors.size(), net.dimension, net, reading, "'stretch'");
+  for (Vector& p : net.nodes)
+    for (std::size_t axis = 0; axis < factors.size(); ++axis) p[axis] *= factors[axis];
+  for (Spring& spring : net.springs) spring = make_spring(net.nodes, spring.first, spring.second);
 }
 
 // A net by hand under one load. There is no body behind it, so its displacements are compared with 1 m everywhere.
 Scene scene_by_hand(const Reading& reading) {
   Scene scene;
   scene.net.topology = "by hand";
-  for (const std::vector<double>& node : reading.nodes) scene.net.nodes.push_back({node[0], node[1]});
-  const std::size_t count = scene.net.nodes.size();
-  for (const std::vector<double>& ends : reading.springs) {
-    Spring spring{index(ends[0], count, reading, "node"), index(ends[1], count, reading, "node")};
-    aim(spring, scene.net);
-    scene.net.springs.push_back(spring);
-  }
+  scene.net.dimension = reading.nodes.front().size();
+  for (const std::vector<double>& node : reading.nodes) std::ranges::copy(node, scene.net.nodes.emplace_back().begin());
+  const Freedoms freedoms = scene.net.freedoms();
+  for (const std::vector<double>& ends : reading.springs)
+    scene.net.springs.push_back(make_spring(scene.net.nodes, index(ends[0], freedoms.nodes, reading, "node"),
+                                            index(ends[1], freedoms.nodes, reading, "node")));
   SupportGroup group;
   for (const std::vector<double>& s : reading.supports)
-    group.supports.push_back({index(s[0], count, reading, "node"), index(s[1], 2, reading, "axis"), 0.0});
-  std::ranges::sort(group.supports, {}, [&](const Support& s) { return scene.net.freedoms().at(s.node, s.axis); });
+    group.supports.push_back(
+        {index(s[0], freedoms.nodes, reading, "node"), index(s[1], freedoms.dimension, reading, "axis"), 0.0});
+  std::ranges::sort(group.supports, {}, [&](const Support& s) { return freedoms.at(s.node, s.axis); });
   scene.loads.groups.push_back(std::move(group));
-  scene.loads.loads.push_back({"load", 0, std::vector<double>(2 * count, 0.0), std::vector<double>(2 * count, 1.0)});
+  const std::vector<double> at_rest(freedoms.size(), 0.0), everywhere(freedoms.size(), 1.0);
+  scene.loads.loads.push_back({"load", 0, at_rest, everywhere});
   scene.initial_stiffness.assign(scene.net.springs.size(), 1.0);
   scene.stiffness_bounds = {1e-300, 1e300};
   return scene;
@@ -185,37 +205,58 @@ Scene scene_of(const Reading& reading, const Registry& registry) {
   set_forces(scene, reading);
   if (!o.boolean("supported"))
     for (SupportGroup& group : scene.loads.groups) group.supports.clear();
-  if (o.has("stretch")) {
-    for (Vector& p : scene.net.nodes) p = {p[0] * o.numbers("stretch")[0], p[1] * o.numbers("stretch")[1], 0.0};
-    for (Spring& spring : scene.net.springs) aim(spring, scene.net);
-  }
+  if (o.has("stretch")) stretch(scene.net, reading);
   return scene;
 }
 
+bool has_direction(const Spring& spring, const std::string& direction) {
+  if (direction == "all") return true;
+  const auto still = static_cast<std::size_t>(std::ranges::count(spring.direction, 0.0));
+  if (direction == "diagonal") return still < 2;
+  const std::size_t axis = direction == "x" || direction == "horizontal" ? 0 : direction == "z" ? 2 : 1;
+  return still == 2 && spring.direction[axis] != 0.0;
+}
+
+bool lies_within(const Vector& place, const std::vector<double>& box) {
+  const std::size_t axes = box.size() / 2;
+  for (std::size_t axis = 0; axis < axes; ++axis)
+    if (!(box[axis] <= place[axis] && place[axis] <= box[axes + axis])) return false;
+  return true;
+}
+
 bool concerns(const Options& which, const Net& net, const Spring& s) {
-  const std::string& direction = which.text("springs");
-  if (direction == "horizontal" && s.direction[1] != 0.0) return false;
-  if (direction == "vertical" && s.direction[0] != 0.0) return false;
-  if (direction == "diagonal" && s.direction[0] * s.direction[1] == 0.0) return false;
+  if (!has_direction(s, which.text("springs"))) return false;
   if (which.has("node")) {
     const auto node = static_cast<std::size_t>(which.integer("node"));
     if (s.first != node && s.second != node) return false;
   }
   if (which.has("between")) {
     const std::vector<double> ends = which.numbers("between");
-    if (static_cast<double>(s.first) != ends[0] || static_cast<double>(s.second) != ends[1]) return false;
+    const auto [first, second] = std::minmax(ends[0], ends[1]);
+    if (static_cast<double>(s.first) != first || static_cast<double>(s.second) != second) return false;
   }
   if (!which.has("within")) return true;
   const std::vector<double> box = which.numbers("within");
-  return std::ranges::all_of(std::array{net.nodes[s.first], net.nodes[s.second]}, [&](const Vector& p) {
-    return box[0] <= p[0] && p[0] <= box[2] && box[1] <= p[1] && p[1] <= box[3];
-  });
+  return lies_within(net.nodes[s.first], box) && lies_within(net.nodes[s.second], box);
+}
+
+// Names of directions and boxes that the system's dimension has.
+void require_dimension(const Options& which, const Net& net, const Reading& reading) {
+  const std::string& direction = which.text("springs");
+  if (net.dimension == 3 && (direction == "horizontal" || direction == "vertical"))
+    throw InputError(reading.source, fmt::format("springs = \"{}\" are of the plane; in space take \"x\", \"y\" or "
+                                                 "\"z\"",
+                                                 direction));
+  if (net.dimension == 2 && direction == "z")
+    throw InputError(reading.source, "springs = \"z\" are of space; in the plane take \"x\" or \"y\"");
+  if (which.has("within")) require_entries(which.numbers("within").size(), 2 * net.dimension, net, reading, "'within'");
 }
 
 std::vector<double> stiffness_of(const Reading& reading, const Scene& scene) {
   std::vector<double> k = scene.initial_stiffness;
   if (reading.options.has("stiffness")) std::ranges::fill(k, reading.options.number("stiffness"));
   for (const Change& change : reading.changes) {
+    require_dimension(change.which, scene.net, reading);
     RandomStream random(static_cast<std::uint64_t>(change.which.integer("seed")));
     bool any = false;
     for (std::size_t e = 0; e < k.size(); ++e) {
@@ -247,10 +288,13 @@ StabilityCase read_case(Value table, const fs::path& directory, const Registry& 
   const auto reading = std::make_shared<Reading>();
   reading->directory = directory;
   reading->source = table.source;
-  reading->nodes = rows(take(table, "nodes"), 2, "nodes");
-  reading->springs = rows(take(table, "springs"), 2, "springs");
-  reading->supports = rows(take(table, "supports"), 2, "supports");
-  reading->forces = rows(take(table, "forces"), 3, "forces");
+  reading->nodes = rows(take(table, "nodes"), 2, 3, "nodes");
+  for (const char* key : {"springs", "supports"})
+    if (const Value* by_hand = table.find(key); by_hand && reading->nodes.empty())
+      throw InputError(by_hand->source, fmt::format("'{}' belongs to a net by hand, which has 'nodes'", key));
+  reading->springs = rows(take(table, "springs"), 2, 2, "springs");
+  reading->supports = rows(take(table, "supports"), 2, 2, "supports");
+  reading->forces = rows(take(table, "forces"), 3, 4, "forces");
   if (const std::optional<Value> changes = take(table, "change")) {
     if (!changes->is_list()) throw InputError(changes->source, "'change' must be a list of tables");
     for (const Value& change : changes->list()) reading->changes.push_back(read_change(change));
