@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <nodal/error.h>
 
@@ -31,12 +32,25 @@ void add_border(const Block& block, Net& net) {
   });
 }
 
+// As thin a box may be (box_body), in ten layers: thinner cells are beyond double precision for the same reason.
+constexpr double kThinnestCell = 1e-7;
+
+void require_thick_cells(const Vector& cell) {
+  const auto [thin, longest] = std::ranges::minmax(cell);
+  if (thin < kThinnestCell * longest)
+    throw Refusal(
+        fmt::format("cells of {:.6g} m are too thin to be computed with; each side must be at least {} of the "
+                    "longest: take fewer nodes where they are thin",
+                    fmt::join(cell, " × "), kThinnestCell));
+}
+
 }  // namespace
 
 Net place_block(const Body& body, const std::array<std::size_t, 3>& counts) {
   if (!body.box) throw Refusal("a block of nodes needs a body that is a box");
   if (*std::ranges::min_element(counts) < 2) throw Refusal("a block needs at least 2 × 2 × 2 nodes");
   const Block block(*body.box, counts);
+  require_thick_cells(block.cell());
   Net net;
   net.dimension = 3;
   net.body = body;

@@ -81,8 +81,8 @@ inline BlockIndex operator+(const BlockIndex& a, const BlockIndex& b) {
 }
 
 /// The nodes, x fastest, then y, then z, and the pieces of the box's surface between them; no springs. Nodes on faces
-/// and edges of the box are border, at its vertices corner. Refusal for fewer than two nodes along an axis, or a body
-/// that is no box.
+/// and edges of the box are border, at its vertices corner. Refusal for fewer than two nodes along an axis, cells with
+/// a side below 1e-7 of their longest, or a body that is no box.
 [[nodiscard]] Net place_block(const Body& body, const std::array<std::size_t, 3>& counts);
 
 }  // namespace nodal::elastic

@@ -41,13 +41,17 @@ std::string least_supports(const Net& net) {
                      net.id(static_cast<std::size_t>(far - net.nodes.begin())), across == 0 ? "y" : "x");
 }
 
-std::string why(const Net& net, bool rigid) {
-  if (rigid)
-    return net.dimension == 2 ? fmt::format(
-                                    "the supports don't hold a rigid body: hold three displacements at least, as "
-                                    "{} does",
-                                    least_supports(net))
-                              : "the supports don't hold a rigid body: hold six displacements at least";
+// Of a net that keeps its shape.
+std::string why_it_is_not_held(const Net& net, bool own_supports) {
+  if (!own_supports)
+    return "the supports hold the whole net, but so near to a line or a point that double precision can't tell: it is "
+           "too thin";
+  if (net.dimension == 3) return "the supports don't hold a rigid body: hold six displacements at least";
+  return fmt::format("the supports don't hold a rigid body: hold three displacements at least, as {} does",
+                     least_supports(net));
+}
+
+std::string why_it_moves(const Net& net) {
   std::vector<bool> joined(net.nodes.size(), false);
   for (const Spring& s : net.springs) joined[s.first] = joined[s.second] = true;
   std::vector<std::size_t> alone;
@@ -60,7 +64,7 @@ std::string why(const Net& net, bool rigid) {
 
 }  // namespace
 
-void require_rigid(const Net& net, const LoadSet& loads, const Source& source, Account& account) {
+void require_rigid(const Net& net, const LoadSet& loads, bool own_supports, const Source& source, Account& account) {
   const Structure structure = structure_of(net);
   const bool known = net.grid.columns > 0;
   const bool rigid = known || free_rigidity(structure).is_rigid();
@@ -74,7 +78,7 @@ void require_rigid(const Net& net, const LoadSet& loads, const Source& source, A
                     fmt::join(loads_of(loads, g), ", "),
                     found.mechanisms == 1 ? "a motion" : fmt::format("{} motions", found.mechanisms),
                     found.mechanisms == 1 ? "s" : "", found.moving.size() == 1 ? "" : "s", named(net, found.moving),
-                    why(net, rigid)),
+                    rigid ? why_it_is_not_held(net, own_supports) : why_it_moves(net)),
         net, found.motions.empty() ? std::vector<double>(net.freedoms().size(), 0.0) : found.motions.front());
   }
   constexpr const char* kStage = "rigidity by sparse QR";

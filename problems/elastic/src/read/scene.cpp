@@ -173,7 +173,7 @@ MadeScene make_scene(const Options& options, const ProblemContext& context) {
   read_loads(options, context, scene, account);
   require_memory(scene.net.nodes.size(), scene.loads.groups.size(), available_memory(), points.values().source,
                  scene.net.dimension);
-  require_rigid(scene.net, scene.loads, springs.values().source, account);
+  require_rigid(scene.net, scene.loads, options.table("loads").has("cases"), springs.values().source, account);
   read_quality(options, scene);
   scene.solver = options.table("equilibrium").text("method");
 

@@ -2,7 +2,9 @@
 // What studies in space can't ask for, and where they are told.
 #include <gtest/gtest.h>
 
+#include "../block.h"
 #include "../study_files.h"
+#include "read/require_rigid.h"
 
 namespace nodal::elastic {
 namespace {
@@ -94,6 +96,15 @@ INSTANTIATE_TEST_SUITE_P(
             "study.toml:5: entry 3 of 'size' of 'body' of problem 'elastic' must be finite, not inf"},
         Bad{"beyond_doubles", "body = { size = [2e-200, 2, 2] }\n",
             "study.toml:5: a box of 2e-200 along x can't be computed with; its sides must be from 1e-100 to 1e+100 m"},
+        Bad{"too_thin", "body = { size = [1, 1e-9, 1] }\npoints = { counts = [3, 3, 3] }\n",
+            "study.toml:5: a box of 1e-09 along y beside 1 along x is too thin to be computed with; each side must be "
+            "at least 1e-06 of the longest"},
+        Bad{"just_too_thin", "body = { size = [2, 1, 1.9e-6] }\n",
+            "study.toml:5: a box of 1.9e-06 along z beside 2 along x is too thin to be computed with; each side must "
+            "be at least 1e-06 of the longest"},
+        Bad{"thin_cells", "body = { size = [1, 1, 1e-5] }\npoints = { counts = [2, 2, 200] }\n",
+            "study.toml:6: cells of 1 × 1 × 5.02513e-08 m are too thin to be computed with; each side must be at least "
+            "1e-07 of the longest: take fewer nodes where they are thin"},
         Bad{"far_away", "body = { size = [2, 2, 2], corner = [1e15, 0, 0] }\n",
             "study.toml:5: the box is so far from the origin, at (1000000000000000, 0, 0), that its coordinates are "
             "rounded to 0.2; move it nearer to the origin"},
@@ -112,6 +123,38 @@ INSTANTIATE_TEST_SUITE_P(
             "'size', 'corner'"}),
     [](const auto& p) { return p.param.name; });
 #undef BOX
+
+// What is as thin as may be is computed with, or it is said what is wrong: never that nothing holds it.
+TEST(ThinBlock, IsHeldByItsSupports) {
+  const struct {
+    const char *size, *counts;
+  } thin[] = {{"[1, 1, 1e-6]", "[3, 3, 3]"},
+              {"[1e-6, 1, 1]", "[2, 6, 6]"},
+              {"[1e-6, 1e-6, 1]", "[3, 3, 10]"},
+              {"[1, 1, 1e-6]", "[2, 2, 11]"}};
+  for (const auto& [size, counts] : thin)
+    for (const char* supports : {"face", "minimal"}) {
+      const auto block = make_block({.size = size, .counts = counts, .supports = supports});
+      const State state = block->solve(block->start_stiffness());
+      EXPECT_TRUE(state.status == Status::ok || state.status == Status::ill_conditioned)
+          << size << counts << supports << state.message;
+    }
+}
+
+// Supports that the program chose aren't blamed for a net too thin for them.
+TEST(ThinBlock, IsBlamedForWhatItsSupportsCannotHold) {
+  const auto block = make_block();
+  Net net = block->net();
+  for (Vector& node : net.nodes) node[2] *= 1e-10;
+  for (Spring& spring : net.springs) spring = make_spring(net.nodes, spring.first, spring.second);
+  Account account;
+  const auto message = [&](bool own_supports) {
+    return toy::message_of([&] { require_rigid(net, block->scene().loads, own_supports, {"study.toml", 3}, account); });
+  };
+  EXPECT_PRED2(says, message(false),
+               "but so near to a line or a point that double precision can't tell: it is too thin");
+  EXPECT_PRED2(says, message(true), "the supports don't hold a rigid body: hold six displacements at least");
+}
 
 }  // namespace
 }  // namespace nodal::elastic

@@ -107,8 +107,8 @@ struct Moments {
 namespace space {
 
 /// The upright box from `corner` on, in space, metres. Refusal for sizes that are not positive, anything that is not
-/// finite, sides below 1e-100 m or above 1e100 m, and a box so far from the origin that its places are rounded by more
-/// than kPlaceRounding of its size.
+/// finite, sides below 1e-100 m, above 1e100 m or below 1e-6 of the longest, and a box so far from the origin that its
+/// places are rounded by more than kPlaceRounding of its size.
 [[nodiscard]] Body box_body(const Vector& corner, const Vector& size);
 
 }  // namespace space
