@@ -7,6 +7,9 @@
 #include <map>
 #include <numbers>
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <nodal/error.h>
 
 #include "springs/connections.h"
@@ -76,11 +79,16 @@ std::vector<double> crossed_squares_beside(const Net& net) {
   return whole && fills_the_body(net, area) ? counts : std::vector<double>();
 }
 
-// 0.4 E a for edges and face diagonals of cubes, half of it on a face of the body, a quarter on an edge of it; empty
+// 0.4 E a for edges and face diagonals of cubes, half of it on a face of the body, a quarter on an edge of it. Refusal
 // unless the net is such a block.
 std::vector<double> cubes_with_face_diagonals(const Net& net, const Material& material) {
-  const double side = net.grid.cell[0];
-  if (net.topology != "faces" || !agree(net.grid.cell[1], side) || !agree(net.grid.cell[2], side)) return {};
+  if (net.topology != "faces")
+    throw Refusal(fmt::format("the 'lattice' rule in space needs topology 'faces', and this is '{}'", net.topology));
+  const Vector& cell = net.grid.cell;
+  const double side = cell[0];
+  if (!agree(cell[1], side) || !agree(cell[2], side))
+    throw Refusal(
+        fmt::format("the 'lattice' rule in space needs cubes, and these cells are {:.6g} m", fmt::join(cell, " × ")));
   const std::array<std::size_t, 3> counts = {net.grid.columns, net.grid.rows, net.grid.layers};
   const auto index = [&](std::size_t node) {
     return std::array{node % counts[0], node / counts[0] % counts[1], node / (counts[0] * counts[1])};
@@ -99,12 +107,7 @@ std::vector<double> cubes_with_face_diagonals(const Net& net, const Material& ma
 }  // namespace
 
 std::vector<double> lattice_stiffness(const Net& net, const Material& material) {
-  if (net.dimension == 3) {
-    std::vector<double> k = cubes_with_face_diagonals(net, material);
-    if (k.empty())
-      throw Refusal("the 'lattice' rule in space needs topology 'faces' on cubes; body diagonals break it under shear");
-    return k;
-  }
+  if (net.dimension == 3) return cubes_with_face_diagonals(net, material);
   double of_a_cell = 0.375;
   std::vector<double> k = crossed_squares_beside(net);
   if (k.empty()) {

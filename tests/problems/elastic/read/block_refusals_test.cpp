@@ -88,8 +88,14 @@ INSTANTIATE_TEST_SUITE_P(
             "study.toml:6: topology 'grid' is a mechanism: no diagonals, so its cells shear without resistance; take "
             "springs = { topology = \"crossed\" }, or \"single\" or \"alternating\" or \"faces\""},
         Bad{"lattice", BOX "springs = { initial = \"lattice\" }\n",
-            "study.toml:6: the 'lattice' rule in space needs topology 'faces' on cubes; body diagonals break it under "
-            "shear; take springs = { initial = \"area\" }"},
+            "study.toml:6: the 'lattice' rule in space needs topology 'faces', and this is 'crossed'; take springs = { "
+            "initial = \"area\" }"},
+        Bad{"lattice_of_other_cells",
+            "body = { size = [2, 2, 3] }\npoints = { counts = [3, 3, 3] }\nsprings = { topology = \"faces\", initial = "
+            "\"lattice\" }\n",
+            "study.toml:7: the 'lattice' rule in space needs cubes, and these cells are 1 × 1 × 1.5 m; take springs = "
+            "{ "
+            "initial = \"area\" }"},
         Bad{"flat", "body = { size = [2, 2, 0] }\n",
             "study.toml:5: entry 3 of 'size' of 'body' of problem 'elastic' is 0; allowed: size > 0"},
         Bad{"infinite", "body = { size = [2, 2, inf] }\n",
