@@ -45,8 +45,11 @@ class Check {
       : option_(option), value_(value), name_(fmt::format("'{}' of {}", option.name, owner)) {}
 
   Value resolved() const {
-    if (value_.is_table() && (option_.type == OptionType::table || option_.or_table))
-      return resolve_options(option_.fields, value_, name_).values();
+    if (value_.is_table() && (option_.type == OptionType::table || option_.or_table)) {
+      Value table = resolve_options(option_.fields, value_, name_).values();
+      table.is_default = value_.is_default;
+      return table;
+    }
     Value result = value_;
     switch (option_.type) {
       case OptionType::boolean:
@@ -78,6 +81,7 @@ class Check {
         break;
     }
     result.source = value_.source;
+    result.is_default = value_.is_default;
     return result;
   }
 
@@ -264,6 +268,7 @@ Options resolve_options(const OptionSchema& schema, const Value& given, const st
       // A default has no place of its own in the file: what goes wrong with it is blamed on its table.
       default_value = *option.default_value;
       default_value.source = given.source;
+      default_value.is_default = true;
       value = &default_value;
     }
     resolved.set(option.name, Check(option, *value, owner).resolved());

@@ -115,6 +115,18 @@ TEST(Options, KnowWhereTheyWereSaid) {
   EXPECT_EQ(options.at("cooling").source.text(), "s.toml:1");  // a default stands where its table does
 }
 
+// What a study says, though it be the default, isn't a default; resolved once more, both stay what they are.
+TEST(Options, KnowWhatWasGiven) {
+  Options options = resolve(R"({"rounds": 12, "verbose": false, "material": {"young": 1}})");
+  for (int i = 0; i < 2; ++i) {
+    for (const char* key : {"rounds", "verbose", "material"}) EXPECT_TRUE(options.given(key)) << key;
+    for (const char* key : {"cooling", "order", "start", "step"}) EXPECT_FALSE(options.given(key)) << key;
+    EXPECT_TRUE(options.table("material").given("young"));
+    EXPECT_FALSE(options.table("material").given("poisson"));
+    options = resolve_options(kSchema, options.values(), "optimizer 'toy'");
+  }
+}
+
 TEST(Options, ThrowLogicErrorsForWhatTheSchemaLacks) {
   const Options options = resolve("{}");
   EXPECT_THROW((void)options.number("temperature"), std::logic_error);

@@ -63,6 +63,8 @@ class Options {
   explicit Options(Value table) : table_(std::move(table)) {}
 
   [[nodiscard]] bool has(std::string_view key) const { return table_.find(key) != nullptr; }
+  /// It is there, and not by default.
+  [[nodiscard]] bool given(std::string_view key) const { return has(key) && !table_.at(key).is_default; }
   [[nodiscard]] bool boolean(std::string_view key) const { return table_.at(key).boolean(); }
   [[nodiscard]] std::int64_t integer(std::string_view key) const { return table_.at(key).integer(); }
   [[nodiscard]] double number(std::string_view key) const { return table_.at(key).number(); }

@@ -70,9 +70,10 @@ class Value {
   /// Sets or replaces an entry of a table.
   void set(std::string_view key, Value value);
 
-  Source source;  ///< where it was said; empty when made by a program
+  Source source;            ///< where it was said; empty when made by a program
+  bool is_default = false;  ///< nobody said it: an option's default (resolve_options)
 
-  /// Equal in content; the source doesn't count, and 1 equals 1.0.
+  /// Equal in content; where it comes from doesn't count, and 1 equals 1.0.
   friend bool operator==(const Value& a, const Value& b);
 
  private:

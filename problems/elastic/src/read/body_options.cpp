@@ -18,7 +18,6 @@ namespace nodal::elastic {
 namespace {
 
 constexpr std::int64_t kDefaultSides = 64, kMostSides = 100000;
-constexpr double kDefaultCornerTurnDegrees = 30.0;
 
 // Which keys belong to which shapes; `shape` belongs to all, `thickness`, `corner_turn` and
 // `on_outline` to those in the plane.
@@ -231,9 +230,8 @@ plane::Ring ring_of(const std::vector<std::vector<double>>& vertices) {
 Body read_rings(const Options& body, const ProblemContext& context, const std::string& shape) {
   check_keys(body, shape);
   if (shape == "box") {
-    for (const auto& [key, otherwise] :
-         {std::pair{"thickness", 1.0}, {"corner_turn", kDefaultCornerTurnDegrees}, {"on_outline", kOnOutline}})
-      if (body.has(key) && body.number(key) != otherwise)
+    for (const char* key : {"thickness", "corner_turn", "on_outline"})
+      if (body.given(key))
         throw InputError(body.at(key).source, fmt::format("'{}' belongs to bodies in the plane, not to a box", key));
     return at(body.at("size").source,
               [&] { return space::box_body(vector_or(body, "corner", {}), vector_or(body, "size", {})); });

@@ -49,6 +49,10 @@ ParameterRule read_table(const Options& table, const Net& net) {
   for (const auto& [key, owner] : {std::pair{"direction_tolerance", "by-direction"}, {"length_classes", "by-length"}})
     if (table.has(key) && rule.name != owner)
       throw InputError(table.at(key).source, fmt::format("'{}' belongs to rule '{}'", key, owner));
+  if (table.has("direction_tolerance") && net.grid.columns > 0)
+    throw InputError(table.at("direction_tolerance").source,
+                     "'direction_tolerance' divides directions where the points are no grid; a grid's are known: leave "
+                     "it out");
   if (table.has("direction_tolerance")) rule.direction_tolerance = table.number("direction_tolerance");
   if (table.has("length_classes")) rule.length_classes = static_cast<std::size_t>(table.integer("length_classes"));
   return rule;

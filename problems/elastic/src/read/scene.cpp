@@ -29,7 +29,7 @@ Material read_material(const Options& options, std::size_t dimension) {
   const Options material = options.table("material");
   const Plane plane = material.text("plane") == "stress" ? Plane::stress : Plane::strain;
   const double poisson = material.number("poisson");
-  if (dimension == 3 && plane == Plane::strain)
+  if (dimension == 3 && material.given("plane"))
     throw InputError(material.at("plane").source, "'plane' belongs to bodies in the plane, not to a box");
   if ((dimension == 3 || plane == Plane::strain) && poisson > 0.4999)
     throw InputError(material.at("poisson").source,

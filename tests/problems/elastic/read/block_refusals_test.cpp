@@ -55,6 +55,23 @@ INSTANTIATE_TEST_SUITE_P(
             "study.toml:6: masses are found in the plane only; equilibria need none: leave 'masses' out"},
         Bad{"thickness", "body = { size = [2, 2, 2], thickness = 2 }\n",
             "study.toml:5: 'thickness' belongs to bodies in the plane, not to a box"},
+        // Refused because they are given, though it's by the value that the plane has by default.
+        Bad{"default_thickness", "body = { size = [2, 2, 2], thickness = 1.0 }\n",
+            "study.toml:5: 'thickness' belongs to bodies in the plane, not to a box"},
+        Bad{"default_corner_turn", "body = { size = [2, 2, 2], corner_turn = 30.0 }\n",
+            "study.toml:5: 'corner_turn' belongs to bodies in the plane, not to a box"},
+        Bad{"default_on_outline", "body = { size = [2, 2, 2], on_outline = 1e-6 }\n",
+            "study.toml:5: 'on_outline' belongs to bodies in the plane, not to a box"},
+        Bad{"plane_stress", BOX "material = { plane = \"stress\" }\n",
+            "study.toml:6: 'plane' belongs to bodies in the plane, not to a box"},
+        Bad{"direction_tolerance",
+            BOX "springs = { parameters = { rule = \"by-direction\", direction_tolerance = 10 } }\n",
+            "study.toml:6: 'direction_tolerance' divides directions where the points are no grid; a grid's are known: "
+            "leave it out"},
+        Bad{"direction_tolerance_in_the_plane",
+            "springs = { parameters = { rule = \"by-direction\", direction_tolerance = 10 } }\n",
+            "study.toml:5: 'direction_tolerance' divides directions where the points are no grid; a grid's are known: "
+            "leave it out"},
         Bad{"corner_turn", "body = { size = [2, 2, 2], corner_turn = 20 }\n",
             "study.toml:5: 'corner_turn' belongs to bodies in the plane, not to a box"},
         Bad{"on_outline", "body = { size = [2, 2, 2], on_outline = 1e-4 }\n",
