@@ -37,8 +37,13 @@ std::vector<std::size_t> read_counts(const Options& points, std::size_t dimensio
 }
 
 LaidNodes read_block(const Options& points, const LayoutRequest& request) {
-  if (points.has("spacing") || points.has("cell"))
-    throw Refusal("a body in space takes a grid: points = { counts = [5, 5, 5] }");
+  for (const char* key : {"spacing", "cell"})
+    if (points.has(key))
+      throw InputError(points.at(key).source,
+                       fmt::format("'{}' belongs to grids in the plane; a grid in space is given "
+                                   "by its nodes in each direction: points = {{ counts = [5, 5, "
+                                   "5] }}",
+                                   key));
   const std::vector<std::size_t> counts = read_counts(points, 3);
   request.account.used("points", fmt::format("grid of {} nodes", fmt::join(counts, " × ")));
   return {.net = place_block(request.body, {counts[0], counts[1], counts[2]})};

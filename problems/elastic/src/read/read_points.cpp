@@ -39,23 +39,25 @@ OptionSchema points_fields() {
   return fields;
 }
 
-const Layout& read_layout(const Options& problem, const Body& body) {
-  const Options points = problem.table("points");
-  const Source& source = points.values().source;
-  const Layout& layout = layout_of(points);
-  refuse_foreign_options(points, layouts(), layout, "layout");
-  if (body.box && layout.without_outline)
-    throw InputError(source,
-                     "nodes of a file are read in the plane only; a box takes a grid: points = "
-                     "{ counts = [5, 5, 5] }");
+void require_body_for(const Layout& layout, const Body& body, const Source& source) {
   if (body.box && !layout.in_space)
-    throw InputError(source, "a body in space takes a grid: points = { counts = [5, 5, 5] }");
+    throw InputError(source, fmt::format("layout '{}' is one of the plane; a body in space takes a grid: points = {{ "
+                                         "counts = [5, 5, 5] }}",
+                                         layout.name));
   if (!body.box && !layout.without_outline && !body.has_outline())
     throw InputError(
         source,
         fmt::format("layout '{}' needs a body with an outline, and this one has none; describe it, as by body = "
                     "{{ size = [4, 4] }}",
                     layout.name));
+}
+
+const Layout& read_layout(const Options& problem, const Body& body) {
+  const Options points = problem.table("points");
+  const Source& source = points.values().source;
+  const Layout& layout = layout_of(points);
+  refuse_foreign_options(points, layouts(), layout, "layout");
+  require_body_for(layout, body, source);
   return layout;
 }
 

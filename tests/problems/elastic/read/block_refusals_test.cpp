@@ -84,14 +84,17 @@ INSTANTIATE_TEST_SUITE_P(
         Bad{"springs_of_a_file", BOX "springs = { file = \"springs.csv\" }\n",
             "study.toml:6: springs of a file are read in the plane only"},
         Bad{"points_of_a_file", BOX "points = { file = \"nodes.csv\" }\n",
-            "study.toml:6: nodes of a file are read in the plane only; a box takes a grid: points = { counts = [5, 5, "
+            "study.toml:6: layout 'file' is one of the plane; a body in space takes a grid: points = { counts = [5, 5, "
             "5] }"},
         Bad{"voronoi", BOX "points = { layout = \"voronoi\", total = 30 }\n",
-            "study.toml:6: a body in space takes a grid: points = { counts = [5, 5, 5] }"},
+            "study.toml:6: layout 'voronoi' is one of the plane; a body in space takes a grid: points = { counts = [5, "
+            "5, 5] }"},
         Bad{"spacing", BOX "points = { spacing = 0.5 }\n",
-            "study.toml:6: a body in space takes a grid: points = { counts = [5, 5, 5] }"},
+            "study.toml:6: 'spacing' belongs to grids in the plane; a grid in space is given by its nodes in each "
+            "direction: points = { counts = [5, 5, 5] }"},
         Bad{"cells", BOX "points = { cell = [0.5, 0.5] }\n",
-            "study.toml:6: a body in space takes a grid: points = { counts = [5, 5, 5] }"},
+            "study.toml:6: 'cell' belongs to grids in the plane; a grid in space is given by its nodes in each "
+            "direction: points = { counts = [5, 5, 5] }"},
         Bad{"faces_in_the_plane", "springs = { topology = \"faces\" }\n",
             "study.toml:5: topology 'faces' is none in the plane; take springs = { topology = \"crossed\" }, or "
             "\"single\" or \"alternating\""},

@@ -13,6 +13,7 @@
 
 #include "moves/pricing_forms.h"
 #include "points/layout.h"
+#include "read/read_points.h"
 #include "springs/connection.h"
 #include "starts/start_rule.h"
 #include "tables/own_options.h"
@@ -69,6 +70,29 @@ TEST(Tables, LayoutsReadKeysThatThereAreAndEveryKeyIsReadBySomeLayout) {
       EXPECT_TRUE(key.empty() || there.contains(std::string(key))) << layout->name << " reads " << key;
   }
   EXPECT_EQ(own, there);
+}
+
+// As the page about adding one has it: each of the two words opens one kind of body, whatever the other says.
+TEST(Tables, LayoutsAreAskedForBodiesThatTheySayTheyFill) {
+  Layout layout = kGridLayout;
+  layout.name = "mine";
+  const Body box = space::box_body({}, {1, 1, 1}), none{.name = "none", .rings = {}},
+             plate = plane::rectangle_body({}, {1, 1});
+  const auto said = [&](const Body& body) {
+    return toy::message_of([&] { require_body_for(layout, body, {"study.toml", 3}); });
+  };
+  for (const bool in_space : {false, true})
+    for (const bool without_outline : {false, true}) {
+      layout.in_space = in_space;
+      layout.without_outline = without_outline;
+      EXPECT_EQ(said(plate), "(nothing was thrown)");
+      EXPECT_EQ(said(box), in_space ? "(nothing was thrown)"
+                                    : "study.toml:3: layout 'mine' is one of the plane; a body in space takes a grid: "
+                                      "points = { counts = [5, 5, 5] }");
+      EXPECT_EQ(said(none), without_outline ? "(nothing was thrown)"
+                                            : "study.toml:3: layout 'mine' needs a body with an outline, and this one "
+                                              "has none; describe it, as by body = { size = [4, 4] }");
+    }
 }
 
 TEST(Tables, OptionsBelongToThoseThatReadThem) {
