@@ -26,14 +26,17 @@ double memory_need(std::size_t nodes, std::size_t groups, std::size_t dimension)
   return n * std::log2(n + 1.0) * (kOfNet + kOfGroup * static_cast<double>(groups));
 }
 
-void require_memory(std::size_t nodes, std::size_t groups, double memory, const Source& source, std::size_t dimension) {
+void require_memory(std::size_t nodes, std::optional<std::size_t> groups, double memory, const Source& source,
+                    std::size_t dimension) {
   constexpr double kGigabyte = 1e9, kShare = 0.75;  // the rest is for other programs, and for estimates that are low
-  const double need = memory_need(nodes, groups, dimension);
+  const double need = memory_need(nodes, groups.value_or(1), dimension);
   if (need <= kShare * memory) return;
+  const std::string under =
+      groups ? fmt::format(" under {} group{} of supports", *groups, *groups == 1 ? "" : "s") : "";
   throw InputError(source,
-                   fmt::format("{} nodes under {} group{} of supports need about {:.2g} GB of memory, more than "
-                               "three quarters of the {:.2g} GB that there are; take fewer nodes",
-                               nodes, groups, groups == 1 ? "" : "s", need / kGigabyte, memory / kGigabyte));
+                   fmt::format("{} nodes{} need {} {:.2g} GB of memory, more than three quarters of the {:.2g} GB that "
+                               "there are; take fewer nodes",
+                               nodes, under, groups ? "about" : "at least", need / kGigabyte, memory / kGigabyte));
 }
 
 double control_group_memory(const fs::path& membership, const fs::path& root) {

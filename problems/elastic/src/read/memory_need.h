@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 
 #include <nodal/error.h>
 
@@ -17,8 +18,9 @@ namespace nodal::elastic {
 /// crossed cubes of 10³ to 8·10³ nodes under 1 and 6 groups, within a seventh.
 [[nodiscard]] double memory_need(std::size_t nodes, std::size_t groups, std::size_t dimension = 2);
 
-/// InputError at `source` when a net needs more than three quarters of `memory` bytes.
-void require_memory(std::size_t nodes, std::size_t groups, double memory, const Source& source,
+/// InputError at `source` when a net needs more than three quarters of `memory` bytes. While its groups aren't known
+/// yet, what one takes is the least.
+void require_memory(std::size_t nodes, std::optional<std::size_t> groups, double memory, const Source& source,
                     std::size_t dimension = 2);
 
 /// [bytes] that this process may have: the machine's, or less where a limit says so, its own (RLIMIT_AS) or that of a

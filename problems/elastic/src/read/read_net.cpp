@@ -6,6 +6,7 @@
 #include <nodal/error.h>
 
 #include "import/system_files.h"
+#include "read/memory_need.h"
 #include "read/read_points.h"
 #include "read/read_topology.h"
 
@@ -14,7 +15,10 @@ namespace nodal::elastic {
 namespace {
 
 LaidNodes lay_nodes(const Layout& layout, const LayoutRequest& request) {
-  LaidNodes nodes = at(request.problem.table("points").values().source, [&] { return layout.make(request); });
+  const Source source = request.problem.table("points").values().source;
+  LaidNodes nodes = at(source, [&] { return layout.make(request); });
+  // Before they are joined, which takes its time: what is too large under one group of supports is so under any.
+  require_memory(nodes.net.nodes.size(), std::nullopt, available_memory(), source, nodes.net.dimension);
   request.account.left_out(kVoronoiStage, "no points were spread by them");
   return nodes;
 }
