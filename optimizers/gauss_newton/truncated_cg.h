@@ -9,6 +9,7 @@
 /// stops after j steps where going on gains little: j (m_{j−1} − m_j) ≤ tolerance · (m_0 − m_j).
 /// The model falls with every step, so the result descends wherever the iteration stopped. Stopping early is also what
 /// keeps the fit smooth: directions that hardly move the residuals come last, and aren't taken.
+///
 /// Source   T. Steihaug, SIAM J. Numer. Anal. 20, 1983; S. Nash, A. Sofer, Operations Research Letters 9, 1990.
 
 #include <span>

@@ -5,6 +5,7 @@
 ///
 /// The meter counts and stops; NLopt's own limits stay unused. What NLopt says of its result is passed on as a claim.
 /// A run has failed when NLopt refuses its arguments, runs out of memory, or gives up without having lowered the cost.
+///
 /// Threads  NLopt's generator is thread-local and seeded here before every run.
 
 #include <nodal/optimizer.h>

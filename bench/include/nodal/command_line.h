@@ -12,7 +12,9 @@
 ///
 /// Data goes to stdout, everything for people to stderr. Returns the exit code: 0 done; 1 a trial, an evaluation, a fit
 /// or a picture failed, or a row of `check` differs; 2 bad input or usage, or output that can't be written; 130
-/// interrupted; 141 the reader of stdout went away. Threads: none; `compare` forks a process per trial.
+/// interrupted; 141 the reader of stdout went away.
+///
+/// Threads  none; `compare` forks a process per trial.
 
 #include <nodal/registry.h>
 

@@ -6,6 +6,7 @@
 ///
 /// Values   what describes a system in the problem's own terms: the stiffnesses of springs, say, where coordinates are
 ///          logarithms of some of them. Bounds don't apply to values. Of a plain problem they are the coordinates.
+///
 /// Errors   a std::logic_error for a wrong number of values or coordinates.
 /// Threads  const calls may run at once.
 

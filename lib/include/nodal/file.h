@@ -8,6 +8,7 @@
 ///           sees the old content or the new, and a full disk loses neither. What is no regular file (a terminal, a
 ///           FIFO) is written to instead; a symbolic link stays one, its target is replaced: /dev/stdout, too, where a
 ///           shell has sent it into a file.
+///
 /// Threads   may be called from any.
 
 #include <cstdint>

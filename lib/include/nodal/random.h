@@ -5,7 +5,10 @@
 /// other trials nor on threads.
 ///
 /// Philox4x32-10 (J. Salmon et al., "Parallel random numbers: as easy as 1, 2, 3", SC11): four 32-bit words per
-/// counter. Cost     about 4 ns per draw (8 without AVX2); no allocation. Threads: a plain value.
+/// counter.
+///
+/// Cost     about 4 ns per draw (8 without AVX2); no allocation.
+/// Threads  a plain value.
 
 #include <array>
 #include <cstddef>

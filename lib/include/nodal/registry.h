@@ -4,6 +4,7 @@
 /// What this program can compare: descriptions of problems and optimizers, filled by explicit calls, no static objects.
 ///
 /// Each component folder has one function `void register_<folder>(Registry&)`; the build collects them.
+///
 /// Threads  fill it first, then share it.
 
 #include <functional>

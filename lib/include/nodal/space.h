@@ -4,6 +4,7 @@
 /// The box that a problem is solved in: per coordinate a name, finite bounds, and the start.
 ///
 /// The elastic problem's coordinates are ln k: positive by construction, the same for every optimizer.
+///
 /// Threads  immutable after construction.
 
 #include <cstddef>

@@ -4,6 +4,7 @@
 /// The equilibria of all support groups at given stiffnesses, by CHOLMOD, and the G² that they add up to.
 ///
 /// Every figure of the elastic problem comes from here or is checked against it.
+///
 /// Cost     one factorization per group, one solve per load; after the first call our own code allocates nothing.
 /// Threads  one per thread.
 

@@ -8,6 +8,7 @@
 ///          goes without these): where the worst pivot says that a solve may be off by more than 1e-10, one correction
 ///          with the residual summed spring by spring; where that is large, or the system is not positive definite,
 ///          nothing is said and CHOLMOD has to.
+///
 /// Cost     value: one lane factorization, one solve per slot; gradient and products: one solve per slot; Jacobian: a
 ///          path and a pass per spring. Nothing is allocated after the first call of each.
 /// Threads  one per thread.

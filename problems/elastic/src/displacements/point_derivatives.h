@@ -5,6 +5,7 @@
 /// coordinates, and ln k, is ElasticEvaluator's.
 ///
 /// With u = K⁻¹f and r = √W (u − u_ref)/‖u_ref‖_W on the free freedoms, as ElasticProblem orders them.
+///
 /// Threads  as the object that implements it: one thread.
 
 #include <span>

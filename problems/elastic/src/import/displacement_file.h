@@ -8,6 +8,7 @@
 ///     weight     how much the row counts in G²; 1 without
 ///     z, uz      of programs that measure in space: one z for all and no displacement across the plane; left out
 /// TableOptions say what the columns are called, and in which unit x, y, ux and uy are.
+///
 /// Errors   InputError with file and line: an unknown load or node, a node twice in a load, a load without any row.
 
 #include <filesystem>

@@ -4,11 +4,12 @@
 /// Nodes and springs brought from elsewhere: CSV tables, or a system file as `nodal fit --export` writes it.
 ///
 /// nodes    CSV columns x, y [m]; node (an integer that names it; 0, 1, 2, … down the file without), mass [kg], z (one
-///          for all: left out, which Net::remarks tells).
+///          for all: left out, which the account tells).
 /// springs  CSV columns first, second (nodes by name); stiffness [N/m], group (a text; springs of one group share one
 ///          parameter), length (refused unless it is the distance of the nodes).
 /// system   JSON with the same: system_json.h.
 /// TableOptions say what CSV columns are called, and in which unit the file's lengths are.
+///
 /// Errors   InputError with file and line.
 
 #include <array>

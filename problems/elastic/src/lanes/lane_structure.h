@@ -5,6 +5,7 @@
 /// the blocks of the factor, where springs stand, and forces, references, weights and held freedoms by lanes.
 ///
 /// Order    AMD on the node graph, postordered, from CHOLMOD's analysis: fill is that of the scalar matrix, by blocks.
+///
 /// Cost     time and memory in proportion to the blocks of the factor.
 /// Threads  immutable; shared.
 

@@ -3,7 +3,8 @@
 
 /// What pulls at a body's border, as forces on its nodes.
 ///
-/// Shapes   forces: [freedoms]. Units    Pa, N.
+/// Shapes   forces: [freedoms].
+/// Units    Pa, N.
 
 #include <cstddef>
 #include <functional>

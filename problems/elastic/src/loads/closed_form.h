@@ -4,7 +4,8 @@
 /// The displacements of a homogeneous body under a homogeneous stress: u(x) = (ε + W)(x − origin). The material answers
 /// the stress with the strain ε; supports choose the rigid motion, the place `origin` that rests and the small turn W.
 ///
-/// Shapes   results: [freedoms] of the net. Units    m, Pa.
+/// Shapes   results: [freedoms] of the net.
+/// Units    m, Pa.
 
 #include <cstddef>
 #include <vector>

@@ -7,6 +7,7 @@
 ///
 /// is solved in coordinates ξ = (x − middle)/half extent of the nodes' box, for masses relative to the body's.
 /// The system has full rank 6 unless all nodes lie on a conic (two rows do), or are fewer than six.
+///
 /// Units    kg, metres.
 /// Cost     least norm: a thin QR of n × 6 numbers. Positive: besides, O(n log n) per Newton step, about ten of them.
 /// Threads  pure functions.

@@ -4,7 +4,9 @@
 /// What each form of pricing would take on a problem, estimated from its structure: the same on every machine, so that
 /// the choice, and with it the last digits of a run, doesn't depend on the clock.
 ///
-/// Forms are told by their line in pricing_forms(). Threads  a value.
+/// Forms are told by their line in pricing_forms().
+///
+/// Threads  a value.
 
 #include <cstddef>
 #include <vector>

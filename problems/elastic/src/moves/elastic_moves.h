@@ -17,6 +17,7 @@
 ///          displacements, which once were as far off as G was, Σε(G + ‖u_ref‖)/G of the present G. Once four times the
 ///          sum of both exceeds 1e-9, the form starts anew before the next price. (Near a perfect fit, where any
 ///          evaluation is noise, it may be 1e-12 ‖u_ref‖/G.)
+///
 /// Cost     propose: the form's price, an exponential, two indirect calls. No allocation after a form's first calls.
 /// Threads  one per thread.
 

@@ -4,7 +4,8 @@
 /// A full evaluation by CHOLMOD for each proposal: what the other forms are compared with, and the one that remains
 /// where their arithmetic can't be vouched for.
 ///
-/// Cost     price: a value; accept: nothing.   Threads  one per thread.
+/// Cost     price: a value; accept: nothing.
+/// Threads  one per thread.
 
 #include <algorithm>
 #include <vector>

@@ -11,7 +11,8 @@
 /// are lost only where G' ≪ G; a proposal that good is evaluated in full, and so is one that leaves a group hardly
 /// held.
 ///
-/// Cost     price O(1); accept O(springs) and the solves. Memory: (2 + 2·loads per group) numbers per spring and lane.
+/// Cost     price O(1); accept O(springs) and the solves.
+/// Memory   (2 + 2·loads per group) numbers per spring and lane.
 /// Threads  one per thread.
 
 #include <vector>

@@ -3,7 +3,8 @@
 
 /// The price list over CHOLMOD's factors, kept up to date by cholmod_updown: an independent way to the same numbers.
 ///
-/// Cost     accept: one update and two solves per group.   Threads  one per thread.
+/// Cost     accept: one update and two solves per group.
+/// Threads  one per thread.
 
 #include <memory>
 

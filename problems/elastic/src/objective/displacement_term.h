@@ -4,8 +4,9 @@
 /// The paper's term: how far the displacements under the loads are from the body's, cost = ½ (G/‖u_ref‖_W)².
 ///
 /// Values come from the lanes where the study lets them and they vouch for them, from CHOLMOD otherwise; audits always
-/// come from CHOLMOD, refined. Derivatives come from whichever solved for the point. The walk is ElasticMoves. Cost
-/// value: one factorization of all groups, one solve per load.
+/// come from CHOLMOD, refined. Derivatives come from whichever solved for the point. The walk is ElasticMoves.
+///
+/// Cost     value: one factorization of all groups, one solve per load.
 
 #include <memory>
 #include <string>

@@ -6,8 +6,9 @@
 /// Residuals of fitted terms stand one after the other, each times √w_t. Held-out terms are evaluated at audits, after
 /// the fitted ones, and told as findings under their names: √(2 · their cost). An audit doesn't fail by them; a value,
 /// a derivative or a walk doesn't know of them. A single fitted term of weight 1 costs nothing more than the term: its
-/// own walk is the walk. Several have one when `moves` of each can be summed, which no term offers: then the ability is
-/// gone, and the meter walks by full values. Threads  Objective: immutable, shared. ObjectiveEvaluator: one thread.
+/// own walk is the walk. Several have none: the ability is gone, and the meter walks by full values.
+///
+/// Threads  Objective: immutable, shared. ObjectiveEvaluator: one thread.
 
 #include <memory>
 #include <span>
@@ -48,7 +49,8 @@ class ObjectiveEvaluator {
   explicit ObjectiveEvaluator(const Objective& objective);
 
   Evaluation value(const System& system);
-  /// Fitted terms, then those held out, whose findings `health` has after those of the fitted.
+  /// Fitted terms, then those held out. `health` is that of the last fitted term, with the findings of those held out
+  /// after its own.
   Evaluation audit(const System& system);
 
   Status residuals(std::span<double> r);

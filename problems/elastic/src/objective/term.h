@@ -6,8 +6,11 @@
 /// A term doesn't know what a search varies: the chain from stiffnesses to coordinates is done once, by Parameters. So
 /// a new term is residuals of a system and their derivatives, and every way of tying springs works with it. Terms that
 /// are *fitted* make up the cost; terms that are *held out* are evaluated where results are reported, and never enter
-/// cost, gradient or walk (objective.h). Shapes   stiffness: [springs], N/m; mass: [nodes], kg, empty where nothing
-/// needs masses. Threads  Term: immutable, shared. TermEvaluator: one thread.
+/// cost, gradient or walk (objective.h).
+///
+/// Shapes   stiffness: [springs]; mass: [nodes], empty where nothing needs masses.
+/// Units    N/m, kg.
+/// Threads  Term: immutable, shared. TermEvaluator: one thread.
 
 #include <memory>
 #include <span>

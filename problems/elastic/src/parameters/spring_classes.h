@@ -4,6 +4,7 @@
 /// Springs sorted into classes by direction or by length.
 ///
 /// Both orders are found from the springs themselves, so that turning, moving or renumbering a net changes no class.
+///
 /// Cost     O(springs · log springs), by length times the number of classes.
 
 #include <cstddef>

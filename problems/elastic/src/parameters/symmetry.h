@@ -7,8 +7,10 @@
 /// In the plane they form a finite group: m rotations by multiples of 2π/m, and none or m reflections. So the smallest
 /// rotation and one reflection generate it, and only they are searched for; in space all are. A node is met within 1e-9
 /// of the net's size. Candidates come from one node, in space from two: it must go to a node at its own distance from
-/// the middle, and the distance is chosen that fewest nodes have. Cost     candidates × nodes × log nodes at worst;
-/// nearly all candidates fail at their first nodes. Threads  pure functions.
+/// the middle, and the distance is chosen that fewest nodes have.
+///
+/// Cost     candidates × nodes × log nodes at worst; nearly all candidates fail at their first nodes.
+/// Threads  pure functions.
 
 #include <cstddef>
 #include <vector>

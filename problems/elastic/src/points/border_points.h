@@ -4,6 +4,7 @@
 /// Points on a body's outline: all corners, and on every chain between two of them a number of gaps.
 ///
 /// Every ring gets at least 3 points, so that they make a polygon.
+///
 /// Units    metres.
 
 #include <cstddef>

@@ -5,9 +5,11 @@
 ///
 /// Square and rectangular cells: nodes at low + (column · hx, row · hy). Triangular cells: rows h√3/2 apart, every
 /// other one shifted by h/2: the odd ones, or the even ones where that puts more nodes on the outline, as a hexagon
-/// with an odd number of cells per side needs. The far border counts as met within 1e-9. Units    metres. Errors
-/// Refusal for a spacing that is not positive, or so small that the bounding box holds more than
-///          four million nodes.
+/// with an odd number of cells per side needs. The far border counts as met within 1e-9.
+///
+/// Units    metres.
+/// Errors   Refusal for a spacing that is not positive, or so small that the bounding box holds more than four million
+///          nodes.
 
 #include <array>
 #include <cstddef>

@@ -13,10 +13,11 @@
 /// Reported is E n' / (2 A ∫ρ). A point on the border has but part of a cell, so n' counts a point by the share of a
 /// full turn about it that lies in the body: inner points 1, border points ½, corners angle/2π. Regular hexagons all
 /// over the body have kHexagonalEnergy ≈ 0.0802, squares 1/12.
+///
 /// Units    metres; deviations are relative to the mean, moves to the even spacing.
-/// Cost     per iteration n log n: 10,000 points take 13 ms, with a density spot 20 ms (bench/micro/voronoi.cpp).
+/// Cost     per iteration n log n: 10,000 points take 13 ms, with a density spot 20 ms (micro/voronoi.cpp).
 /// Errors   std::invalid_argument: no points; Refusal: points that (nearly) coincide; InputError in a build without
-/// CGAL.
+///          CGAL.
 
 #include <cstddef>
 #include <vector>

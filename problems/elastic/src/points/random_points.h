@@ -6,6 +6,7 @@
 ///
 /// Inner points keep a hundredth of the even spacing from the outline (of half a strip's width, where that is less), so
 /// that none is taken for a border point, and from the polygon of the border points, so that a triangulation holds all.
+///
 /// Units    metres.
 
 #include <cstddef>

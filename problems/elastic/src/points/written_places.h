@@ -20,6 +20,7 @@ namespace nodal::elastic {
 inline constexpr double kNearOutline = 1e-3;
 
 /// The nodes that are near the outline, but not on it; `kinds` must be known. Ascending.
+///
 /// Cost     (nodes + sides) log sides.
 [[nodiscard]] std::vector<std::size_t> nodes_beside_outline(const Net& net);
 

@@ -17,6 +17,7 @@ namespace nodal::elastic {
 [[nodiscard]] bool hold_a_rigid_body(const Structure& structure, const SupportGroup& group);
 
 /// Whether no node can move under any group of supports while all springs keep their lengths.
+///
 /// Cost     one sparse QR; another per group of supports only where the free structure is no rigid body.
 [[nodiscard]] bool is_rigid(const Structure& structure, const LoadSet& loads);
 

@@ -4,9 +4,11 @@
 /// The one owner of SuiteSparseQR: R and rank of a sparse matrix A E = Q R, and vectors that A maps to zero.
 ///
 /// A column that is a combination of those before it, up to `tolerance` in the 2-norm of what remains, is dependent; R
-/// of the others is upper triangular. The tolerance is in the units of A. Cost     one sparse QR (AMD of AᵀA);
-/// `complete` one backward substitution, which skips what stays zero. Threads  immutable after construction. Source T.
-/// Davis, ACM TOMS 38(1), 2011.
+/// of the others is upper triangular. The tolerance is in the units of A.
+///
+/// Cost     one sparse QR (AMD of AᵀA); `complete` one backward substitution, which skips what stays zero.
+/// Threads  immutable after construction.
+/// Source   T. Davis, ACM TOMS 38(1), 2011.
 
 #include <cstddef>
 #include <span>

@@ -6,8 +6,8 @@
 /// The text is XML, needs no fonts, scripts or other files, and stands on white. It is the same for the same figures on
 /// every machine; numbers have one digit after the point, so figures that differ by rounding give the same text unless
 /// one lies half-way between two.
-/// Nets of more than DrawnSprings::kMost springs are thinned, which the picture says: a panel has at most about 25
-/// bytes for each of so many springs.
+/// Nets of many springs are thinned (DrawnSprings), which the picture says: a panel has at most about 25 bytes for each
+/// of those drawn.
 
 #include <string>
 #include <vector>

@@ -40,7 +40,7 @@ inline constexpr double kLeastTriangleHeight = 1e-3;
 [[nodiscard]] std::vector<NodePair> side_pairs(const std::vector<Triangle>& triangles);
 [[nodiscard]] std::vector<NodePair> flip_pairs(const std::vector<plane::Point>& nodes,
                                                const std::vector<Triangle>& triangles);
-/// Without an outline nothing stands between nodes. Cost     n log n.
+/// Without an outline nothing stands between nodes. In time n log n.
 [[nodiscard]] std::vector<NodePair> nearest_pairs(const plane::Outline* outline, const std::vector<plane::Point>& nodes,
                                                   std::size_t count);
 

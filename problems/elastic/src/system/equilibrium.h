@@ -10,6 +10,7 @@
 ///
 /// Order    vectors of a group are "placed": [0, free) are the free freedoms as the factor wants them, [free, freedoms)
 ///          the fixed ones, ascending, holding their prescribed values. `place` maps a freedom (Freedoms) there.
+///
 /// Units    stiffness N/m; displacements in a unit of the caller's, a power of two near the largest reference, so that
 ///          their squares stay in range at any size of body and no digit changes; forces in N per that unit.
 /// Cost     one numeric factorization per `factorize`, one solve per load and refinement step; after the first call our

@@ -5,6 +5,7 @@
 ///
 /// cgal_triangulation.cpp does the work; a build without CGAL compiles absent_triangulation.cpp instead, where every
 /// function but the first throws InputError with what to install. Results depend on the points and their order alone.
+///
 /// Errors   Refusal, naming the nodes, for what has no triangulation: coordinates that are not finite,
 ///          nodes that coincide, and what is said below.
 /// Cost     n log n; 10,000 points take some 10 ms.

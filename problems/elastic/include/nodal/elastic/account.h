@@ -4,6 +4,7 @@
 /// What the makers of a system say about their work while they do it: told to people, and never read back by a result.
 ///
 /// `nodal explain` prints the stages and all lines, a store keeps the data, and findings come with every result.
+///
 /// Threads  a plain value.
 
 #include <string>

@@ -5,6 +5,7 @@
 ///
 /// Rings[0] is the outline, counterclockwise; the others are holes, clockwise: material lies to the left of every side.
 /// A plane body without rings is one of which only nodes are known: it has no border, no area and no corners.
+///
 /// Units    metres, radians.
 /// Threads  plain values.
 
@@ -69,7 +70,7 @@ struct Box {
 
 /// The distance within which a point is on the body's outline: `on_outline` of its size, but no more than a
 /// twentieth of half a strip's width, area over perimeter, or every node of a thin strip would be. 0 without an
-/// outline. Cost     one pass over the sides.
+/// outline. One pass over the sides.
 [[nodiscard]] double outline_tolerance(const Body& body);
 
 /// ∫ 1, x, y, x², xy, y² dA.
@@ -81,7 +82,7 @@ struct Moments {
 
 /// Exact moments of a polygon with holes about `origin`, by Green's formula over its sides; coordinates are taken
 /// relative to the middle of the bounding box while summing, so a body far from the origin loses no digits but those of
-/// its coordinates. Cost     one pass over the sides.
+/// its coordinates. One pass over the sides.
 [[nodiscard]] Moments moments(const std::vector<Ring>& rings, const Point& origin = {0.0, 0.0});
 
 // Shapes. Refusal for sizes that are not positive, anything that is not finite, fewer than 3 sides, or a
@@ -95,8 +96,8 @@ struct Moments {
 [[nodiscard]] Body ring_body(const Point& centre, double radius, double hole, std::size_t sides,
                              double thickness = 1.0);
 
-/// True inside the material or within the outline's tolerance of it. Cost     one pass over the sides; for many points
-/// there is geometry/plane/outline.h.
+/// True inside the material or within the outline's tolerance of it. One pass over the sides; for many points there is
+/// geometry/plane/outline.h.
 [[nodiscard]] bool contains(const Body& body, const Point& point);
 
 /// The vertices at which a ring turns by more than `turn`, by more than rounding (1e-6), ascending.

@@ -7,6 +7,7 @@
 /// the null space of J moves it. Then it can change by any factor, alone or with others, and to first order no
 /// residual does. The null space is that of the singular values below 1e-9 of the largest: a change of ln k by 1 that
 /// moves the displacements by so little is below what J itself is computed to, and below any measurement.
+///
 /// Cost     residuals × coordinates × the lesser of both; above kMostDeterminationWork nothing but the numbers are
 ///          compared.
 /// Threads  a pure function.

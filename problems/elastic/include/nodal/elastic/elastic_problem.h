@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-/// The paper's problem: find spring stiffnesses with which a net of springs deforms like an elastic plate.
+/// The paper's problem: find spring stiffnesses with which a net of springs deforms like an elastic body.
 ///
 /// G² = Σ_loads Σ_nodes w_node |u − u_ref|² (eq. 12); relative error = G/‖u_ref‖_W; cost = ½ (relative error)².
 /// Residuals are √w (u − u_ref)/‖u_ref‖_W on the free freedoms, load by load, freedoms ascending.
 /// Coordinates are ln k (parameters.h) within bounds.
+///
 /// Threads  immutable; `solve` makes its own workspace.
 
 #include <memory>

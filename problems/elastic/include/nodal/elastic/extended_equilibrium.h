@@ -8,7 +8,7 @@
 /// with the solver that it checks but the scene's: assembly, order, factor and the sum of eq. (12) with its weights are
 /// written again. Results are rounded to doubles at the very end.
 ///
-/// Shapes   stiffness: [springs]; displacements: [loads][2 · nodes].
+/// Shapes   stiffness: [springs]; displacements: [loads][dimension · nodes].
 /// Units    as the scene: N/m, N, m.
 /// Cost     per support group one LDLᵀ at about 0.3 µs per operation: 0.1 s on a grid of 8 × 8 nodes, 4 groups.
 /// Threads  a pure function.

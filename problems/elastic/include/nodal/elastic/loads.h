@@ -8,7 +8,8 @@
 /// node. So on a straight edge a node gets its tributary length, a corner half of a gap on each edge that it closes,
 /// and the forces of all outlines balance, torque included.
 /// Loads that share their supports and what is measured of them share a support group, and so a factorization.
-/// Shapes   forces, reference, weights: [2 · nodes], x and y of each node after the other.
+///
+/// Shapes   forces, reference, weights: [dimension · nodes], the axes of each node after the other.
 /// Units    forces N, displacements m.
 
 #include <cstddef>
@@ -80,7 +81,7 @@ enum class SupportStyle {
 [[nodiscard]] LoadSet make_basic_loads(const Net& net, const Material& material, double stress, SupportStyle style);
 
 /// Whether the body has a straight edge with two neighbouring nodes on its left and on its lower side: what `edge`
-/// holds.
+/// holds. A box always has faces to hold.
 [[nodiscard]] bool has_edges_to_hold(const Net& net);
 
 }  // namespace nodal::elastic

@@ -5,7 +5,9 @@
 ///
 /// ε_aa = (σ_aa − ν Σ_{b≠a} σ_bb)/E, ε_ab = σ_ab/(2G), over the axes that the body has. In space E and ν are those of
 /// the material, in plane stress too. Plane strain is the same with E' = E/(1−ν²), ν' = ν/(1−ν). The paper's eq. (8) is
-/// misprinted and contradicts its own next line. Units    young Pa, poisson dimensionless.
+/// misprinted and contradicts its own next line.
+///
+/// Units    young Pa, poisson dimensionless.
 
 #include <array>
 #include <cstddef>

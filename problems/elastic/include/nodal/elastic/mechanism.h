@@ -3,7 +3,8 @@
 
 /// A net that is refused because some of its nodes can move without any spring's resistance, whatever the stiffnesses.
 ///
-/// Shapes   motion: [2 · nodes], the largest displacement 1; to first order no spring changes its length along it.
+/// Shapes   motion: [dimension · nodes], the largest displacement 1; to first order no spring changes its length along
+///          it.
 
 #include <string>
 #include <utility>

@@ -74,13 +74,13 @@ struct Net {
   [[nodiscard]] std::int64_t id(std::size_t node) const {
     return ids.empty() ? static_cast<std::int64_t>(node) : ids[node];
   }
-  /// On the outline or on a hole's, corners included.
+  /// On the outline or on a hole's, in space on the body's surface; corners included.
   [[nodiscard]] bool on_border(std::size_t node) const { return !kinds.empty() && kinds[node] != NodeKind::inner; }
   [[nodiscard]] bool on_corner(std::size_t node) const { return !kinds.empty() && kinds[node] == NodeKind::corner; }
 };
 
 /// Fills `kinds` and `outlines` from where the nodes lie: within outline_tolerance of the body's border, or of a
-/// corner. Cost     (nodes + sides) log sides.
+/// corner. In time (nodes + sides) log sides.
 void find_border(Net& net);
 
 /// Connects a grid of nodes over a rectangle. "single": one diagonal per cell, all the same way; "alternating": one per

@@ -3,16 +3,22 @@
 
 /// The elastic problem's map from coordinates to stiffnesses: x = ln k, one coordinate per group of tied springs.
 ///
-/// `each`: every spring its own. `uniform`: all tied.
-/// `by-direction`: on a grid horizontal, vertical and diagonal springs tied (Figure 8); on another net those whose
-/// directions modulo 180° agree within a tolerance; on a block those along x, along y, along z, across faces, through
-/// cells. `by-length`: a number of classes of length, divided where lengths leave gaps. `symmetric`: springs tied that
-/// a symmetry of the net carries into each other: all rotations and reflections about the middle of its nodes under
-/// which nodes and springs come to lie on nodes and springs, found from the geometry (in space up to 48, of a cube). Of
-/// the net alone: loads, material and references may have less symmetry. `listed`: as a list says. At a bound a
-/// stiffness is the bound itself, to the last bit: exp(ln k) is off by a rounding, and would lie outside. Shapes
-/// stiffness: [springs]; coordinates: [groups]. Units    metres, degrees; bounds and stiffnesses in any one unit. Cost
-/// construction: O(springs · log springs), with `symmetric` times the few symmetries that are tried in full.
+///     each          every spring its own
+///     uniform       all tied
+///     by-direction  on a grid horizontal, vertical and diagonal springs tied (Figure 8); on another net those whose
+///                   directions modulo 180° agree within a tolerance; on a block those along x, along y, along z,
+///                   across faces, through cells
+///     by-length     a number of classes of length, divided where lengths leave gaps
+///     symmetric     springs tied that a symmetry of the net carries into each other: all rotations and reflections
+///                   about the middle of its nodes under which nodes and springs come to lie on nodes and springs,
+///                   found from the geometry (in space up to 48, of a cube). Of the net alone: loads, material and
+///                   references may have less symmetry
+///     listed        as a list says
+/// At a bound a stiffness is the bound itself, to the last bit: exp(ln k) is off by a rounding, and would lie outside.
+///
+/// Shapes   stiffness: [springs]; coordinates: [groups].
+/// Units    metres, degrees; bounds and stiffnesses in any one unit.
+/// Cost     construction: O(springs · log springs), with `symmetric` times the few symmetries that are tried in full.
 
 #include <array>
 #include <cmath>

@@ -6,7 +6,9 @@
 ///
 /// A spring is removed when its stiffness is within a share of the lower bound, the net stays rigid under every group
 /// of supports without it, and the error grows by no more than a limit. Those go first that hold the least energy.
-/// Shapes   stiffness: [springs]. Units    N/m.
+///
+/// Shapes   stiffness: [springs].
+/// Units    N/m.
 /// Cost     a few sparse QRs; where some of the springs must stay, about log2(springs) for each of those, and all of it
 ///          about log2(springs) times where the limit is met before the last of them.
 

@@ -3,7 +3,8 @@
 
 /// Initial spring stiffnesses, and files that hold fitted systems.
 ///
-/// Units    N/m. Shapes: [springs].
+/// Shapes   [springs].
+/// Units    N/m.
 
 #include <array>
 #include <filesystem>
@@ -53,10 +54,11 @@ inline constexpr int kSystemSchema = 1;
 
 /// All that a simulator needs, springs and nodes in the net's order, and what a study needs to go on from there:
 ///     {"schema": 1, "bounds": [lower, upper],
-///      "nodes": [{"node": i, "x": x, "y": y, "mass": m}, …],
+///      "nodes": [{"node": i, "x": x, "y": y, "z": z, "mass": m}, …],
 ///      "springs": [{"nodes": [i, j], "stiffness": k, "length": L, "group": "chord"}, …]}
-/// "mass" only where the net has masses. Units    m, kg, N/m. Numbers have all digits that a double has. A study can
-/// read it back as points, springs and start; docs/your_own_system.md has every key.
+/// "mass" only where the net has masses, "z" only in space; in m, kg, N/m. Numbers have all digits that a double has.
+/// A study can read it back as points, springs and start, in space as a start only; docs/your_own_system.md has every
+/// key.
 [[nodiscard]] std::string system_json(const Net& net, const std::vector<double>& stiffness,
                                       const SystemDetails& details = {});
 

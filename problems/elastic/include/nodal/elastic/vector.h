@@ -6,6 +6,7 @@
 /// The dimension is a number, 2 or 3, wherever a net, its loads or its files are spoken of: positions have three
 /// components always, the third of them 0 in the plane; what is indexed by freedom is a flat vector of `dimension`
 /// numbers per node, and only `Freedoms` knows how.
+///
 /// Units    metres.
 
 #include <array>

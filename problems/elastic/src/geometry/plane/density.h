@@ -7,6 +7,7 @@
 /// (∫ exp(−u²) u^k du, k = 0, 1, 2), the outer one is Gauss–Legendre on pieces short enough (r/2 with 6 nodes, r/8 with
 /// 4) for an error of 1e-13 of the spot's own integral. Neighbouring cells thus share what they compute on a common
 /// edge, and sums over cells are the body's to rounding.
+///
 /// Units    metres; factors are plain numbers.
 /// Threads  immutable once built.
 

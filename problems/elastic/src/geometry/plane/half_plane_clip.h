@@ -7,7 +7,9 @@
 /// along it, the k-th run that ends there is followed by the k-th that begins. So a region may fall into several rings
 /// without bridges between them, holes open towards a cut become part of the ring around, and integrals by Green's
 /// formula don't depend on the order at all (every joint lies on the one line), hence not on rounding in the sorting.
-/// Every edge keeps a label of what it comes from. Cost     vertices, plus runs · log runs. No allocation once warm.
+/// Every edge keeps a label of what it comes from.
+///
+/// Cost     vertices, plus runs · log runs. No allocation once warm.
 /// Threads  one object per thread.
 
 #include <cstddef>

@@ -7,6 +7,7 @@
 /// A ring's arc is 0 at its first corner and grows in the ring's own sense, so that material is to the left; a ring
 /// without corners is one closed chain whose arc is 0 at its first vertex. A ring with corners has as many chains, and
 /// the k-th begins at the k-th corner.
+///
 /// Units    metres, radians.
 /// Cost     n log n in the number of sides to build; nearest places and inside tests take about log n.
 /// Threads  immutable once built.

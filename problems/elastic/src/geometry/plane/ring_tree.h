@@ -5,6 +5,7 @@
 /// about a place ask in logarithmic instead of linear time.
 ///
 /// Sides are numbered along the ring from its vertex `start`; side i runs from vertex(i) to vertex(i + 1).
+///
 /// Cost     n log n to build; a query visits the boxes that it can't rule out.
 /// Threads  immutable once built.
 

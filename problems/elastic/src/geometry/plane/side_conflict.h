@@ -36,6 +36,7 @@ struct SideConflict {
 /// ends are looked at first. What is left to the signs of determinants are ends that keep the tolerance from the other
 /// segment, and boxes that overlap; a sign is doubtful only for an end within rounding (1e-15 of the body's size) of
 /// the other's line, so beyond its ends, and there the other two signs decide: rightly, or the boxes would be disjoint.
+///
 /// Cost     n log n, and the pairs of sides that overlap in x or in y, whichever are fewer: 10 ms for a gear of 10,000
 ///          vertices, 0.2 s for a star of 5,000 thin spikes.
 [[nodiscard]] std::optional<SideConflict> find_side_conflict(const std::vector<Ring>& rings, double tolerance);

@@ -8,10 +8,11 @@
 /// polygon of its bisectors; others cut the rings, of which only the runs near the cell are looked at one by one. No
 /// polygon booleans. Cells may be non-convex, in several pieces, and have holes; their areas sum to the body's to
 /// rounding (about 1e-14).
+///
 /// Units    metres.
-/// Cost     per computation n log n; 10,000 nodes take 13 ms; little allocation once warm but by the
-/// triangulation. Threads  one object per thread; the outline is shared and must outlive it. Needs    CGAL, for the
-/// neighbours: see triangulation.h.
+/// Cost     per computation n log n; 10,000 nodes take 13 ms; little allocation once warm but by the triangulation.
+/// Threads  one object per thread; the outline is shared and must outlive it.
+/// Needs    CGAL, for the neighbours: see triangulation.h.
 
 #include <cstddef>
 #include <utility>
