@@ -99,36 +99,35 @@ don't use the start.
 // Rules that no single range can express; problems/elastic/src/read/ checks them.
 constexpr std::string_view kElasticRules = R"(Rules between these keys:
 
-- `body`: `size` and `corner` belong to shape `rectangle`; `radius`, `sides` and `centre` to `disc`, `ring` and
-  `regular`, `inner_radius` to `ring`, `turn` to `regular`; `outline` and `holes` to `polygon`; `file` to `file`. A key
-  of another shape is refused, and `disc`, `ring`, `regular`, `polygon` and `file` need those without a default.
+- `body`: before the meaning of a key stand the shapes that it belongs to, behind its default those that need it. A
+  key of another shape is refused.
 - `body.inner_radius` is smaller than what the outer polygon leaves: `radius` × cos(180° / `sides`).
 - A ring of points is closed by itself; its first point may stand again at the end, and in a file must. Either way
   round will do: sides and vertices keep the numbers of the list, and `nodal explain` says which rings were turned
   round. Refused, with their place, are points that coincide, sides that cross, touch or fold back, rings without area,
   holes not inside the outline or within each other, and an outline so far from the origin that its coordinates are
   rounded to more than 1e-9 of its size.
-- `points`: a grid with `counts` fills an upright rectangle; with `spacing` or `cell` it is clipped to any body: exactly
-  its nodes where a grid topology joins them, else nodes inside and others along the outline. `layout = "random"` and
-  `"voronoi"` need `total`, or `inner`. Keys of another layout are refused. Iterated Voronoi regions spread points by the
-  square root of a `density`, random ones by the density itself.
+- `points`: a grid with `counts` fills an upright rectangle or a box; with `spacing` or `cell` it is clipped to any body
+  in the plane: exactly its nodes where a grid topology joins them, else nodes inside and others along the outline.
+  `layout = "random"` and `"voronoi"` need `total`, or `inner`. Keys of another layout are refused. Iterated Voronoi regions
+  spread points by the square root of a `density`, random ones by the density itself.
 - `points.counts`: at least 2 in each direction, at most 1,000,000 nodes.
-- `springs.topology`: `single`, `alternating` and `crossed` join a grid, `triangular` a triangular one; the others join any
-  points. `springs.file` takes the place of a topology.
+- `springs.file` takes the place of a topology.
 - A net in which nodes can move without resistance is refused with the nodes that move, and drawn by `--picture`.
-- `springs.bounds`: 0 < lower < upper. They are multiplied by `material.young` and `body.thickness`: N/m. Springs from a file have
-  bounds about their own stiffnesses instead where none are given.
+- `springs.bounds`: 0 < lower < upper. They are multiplied by `material.young` and `body.thickness`, in space by
+  `material.young` and the mean rest length: N/m. Springs from a file have bounds about their own stiffnesses instead where
+  none are given.
 - `springs.initial`: as a table it has either `rule` or `file`. `lattice` needs a crossed grid of square
   cells, or equilateral triangles, that fill the body to its outline, as a triangular grid fills a regular hexagon with
-  `turn = 0` whose radius is a multiple of its spacing. What a rule puts outside the bounds is moved just inside (`nodal
-  explain` says so); a file's can be evaluated, but not fitted.
+  `turn = 0` whose radius is a multiple of its spacing; in space `faces` on cubes. What a rule puts outside the bounds is
+  moved just inside (`nodal explain` says so); a file's can be evaluated, but not fitted.
 - `springs.parameters = "symmetric"` is refused where no rotation or reflection carries the net into itself; `"groups"`
   needs a file of springs with a column `group`; as a table it has either `rule` or `lists`.
-- `masses` other than `none` need an outline; `positive` is refused where such masses are proved impossible.
-- `loads.stress` and `loads.supports` belong to the plate set, `loads.cases` to loads of your own, which to be fitted need
-  `reference.file`: [your_own_system.md](your_own_system.md).
+- `masses` other than `none` need an outline, so a body in the plane; `positive` is refused where such masses are proved
+  impossible.
+- `loads.stress` and `loads.supports` belong to the basic loads, `loads.cases` to loads of your own, in the plane, which to
+  be fitted need `reference.file`: [your_own_system.md](your_own_system.md).
 - `loads.stress` is not 0, and not all `quality.weights` are 0: there would be nothing to fit.
-- In plane strain `material.poisson` is at most 0.4999.
 
 What the words mean is in [formulation.md](formulation.md).
 

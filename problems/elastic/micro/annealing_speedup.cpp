@@ -3,7 +3,7 @@
 // CHOLMOD: factorize and solve on assembled matrices, sampled at 1,000 points of the same trajectory.
 //   annealing_speedup  the whole run with the paper's parameters. Required: ≥ 70 at 25 nodes, 350 at 81, 700 at 169
 //   annealing_speedup_in_space  the same on crossed cubes. Wanted: ≥ 100 at 27 nodes, 300 at 125, 500 at 343. The last
-//                      has 42 million steps, twice: it runs only where NODAL_LONG_BENCHMARKS is set
+//                      has 42 million steps, twice, in 7 minutes: it runs only where NODAL_LONG_BENCHMARKS is set
 //   annealing_hot      its first 20,000 steps, where most are accepted. Required: ≥ 70 at 441 nodes, 40 at 2,500
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the program is told of the elastic problem.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <nodal/elastic/elastic_problem.h>
 #include <nodal/provenance.h>
@@ -23,16 +24,19 @@ Listing topology_list() {
   Listing list{"topologies", {}};
   for (const Connection* connection : connections()) {
     const std::string lacks = connection->lacking();
+    std::vector<std::string> remarks;
+    if (const std::string_view where = connection->where(); !where.empty()) remarks.emplace_back(where);
+    if (connection->mechanism) remarks.emplace_back("a mechanism: refused");
     list.lines.push_back(fmt::format("{}: {}{}", connection->name,
                                      lacks.empty() ? std::string(connection->summary) : "not here: it needs " + lacks,
-                                     connection->mechanism ? " (a mechanism: refused)" : ""));
+                                     remarks.empty() ? "" : fmt::format(" ({})", fmt::join(remarks, ", "))));
   }
   return list;
 }
 
 ProblemDescription describe_elastic() {
   return {.kind = "elastic",
-          .summary = "spring stiffnesses with which a net deforms like an elastic plate",
+          .summary = "spring stiffnesses with which a net deforms like an elastic body",
           .reference =
               "O. Deussen, L. Kobbelt, P. Tücke, Using Simulated Annealing to Obtain Good Nodal "
               "Approximations of Deformable Bodies, 1995",

@@ -28,8 +28,8 @@ OptionSchema file_options() {
   return {
       {.name = "file",
        .type = OptionType::text,
-       .help = "nodes of your own: CSV with columns x, y and if you like node (a number that names it) and mass, or a "
-               "system file as 'nodal fit --export' writes it"},
+       .help = "nodes of your own, in the plane: CSV with columns x, y and if you like node (a number that names it) "
+               "and mass, or a system file as 'nodal fit --export' writes it"},
       columns_option({"node", "x", "y", "mass"}),
       scale_option("its coordinates"),
   };

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-/// A plane system has one z: many programs write it, and it is left out. Several would be another system.
+/// A plane system has one z: many programs write it, and it is left out. Several would be another system, in space,
+/// which is read as a start only (stiffness.h).
 
 #include <optional>
 #include <string>

@@ -110,14 +110,15 @@ OptionSchema grid_options() {
        .unit = "m",
        .minimum = 0.0,
        .minimum_excluded = true,
-       .help = "between neighbours; of a grid clipped to the body the side of its square or triangular cells"},
+       .help = "in the plane, between neighbours of a grid clipped to the body, the side of its square or triangular "
+               "cells"},
       {.name = "cell",
        .type = OptionType::number_list,
        .unit = "m",
        .minimum = 0.0,
        .minimum_excluded = true,
        .length = 2,
-       .help = "instead of 'spacing': width and height of rectangular cells"},
+       .help = "in the plane, instead of 'spacing': width and height of rectangular cells"},
   };
 }
 

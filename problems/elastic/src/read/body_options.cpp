@@ -119,6 +119,18 @@ Source source_of_sizes(const Options& body, const std::string& shape) {
   return body.has(key) ? body.at(key).source : body.values().source;
 }
 
+// Each key of some shapes with these in front of its help, and those that need it behind its default.
+OptionSchema with_shapes(OptionSchema fields) {
+  for (Option& field : fields)
+    for (const ShapeKey& key : shape_keys()) {
+      if (field.name != key.name) continue;
+      field.help = fmt::format("{}: {}", fmt::join(key.shapes, ", "), field.help);
+      if (!key.needed_by.empty())
+        field.default_text = fmt::format("{}; needed by {}", field.default_text, fmt::join(key.needed_by, ", "));
+    }
+  return fields;
+}
+
 }  // namespace
 
 OptionSchema body_fields() {
@@ -139,16 +151,16 @@ OptionSchema body_fields() {
                   .minimum_excluded = true,
                   .help = help};
   };
-  Option size = point("size", "[4, 4]", "of a rectangle: width and height; of a box also depth: [x, y, z]");
+  Option size = point("size", "[4, 4]", "width and height; of a box also depth: [x, y, z]");
   size.longest = 3;
-  Option corner = point("corner", "at the origin", "of a rectangle: its lower left; of a box its lowest corner");
+  Option corner = point("corner", "at the origin", "the lower left; of a box the lowest corner");
   corner.longest = 3;
   size.minimum = 0.0;
   size.minimum_excluded = true;
-  Option thickness = length("thickness", "thickness of the plate");
+  Option thickness = length("thickness", "of a body in the plane");
   thickness.default_text = "";
   thickness.default_value = 1.0;
-  return {
+  return with_shapes({
       {.name = "shape",
        .type = OptionType::text,
        .default_text = "by the keys: size makes a rectangle, of three numbers a box, outline a polygon, file a file; "
@@ -160,38 +172,34 @@ OptionSchema body_fields() {
            "space"},
       size,
       corner,
-      length("radius", "of a disc, a ring (the outer one) or a regular polygon: from the centre to the vertices"),
-      length("inner_radius", "of a ring: of its hole"),
+      length("radius", "from the centre to the vertices; of a ring to the outer ones"),
+      length("inner_radius", "of its hole"),
       {.name = "sides",
        .type = OptionType::integer,
-       .default_text = "64; of a regular polygon none",
+       .default_text = std::to_string(kDefaultSides),
        .minimum = 3,
        .maximum = static_cast<double>(kMostSides),
-       .help = "of a regular polygon, or of the inscribed one that a disc's or ring's circles are made of"},
+       .help = "of the polygon; of a disc or a ring, of the inscribed ones that its circles are made of"},
       {.name = "turn",
        .type = OptionType::number,
        .default_text = "0",
        .unit = "°",
        .minimum = -360.0,
        .maximum = 360.0,
-       .help = "of a regular polygon: the direction of its first vertex"},
-      point("centre", "[0, 0]", "of a disc, ring or regular polygon"),
-      {.name = "outline",
-       .type = OptionType::vector_list,
-       .default_text = "none",
-       .unit = "m",
-       .help = "of a polygon: its vertices"},
+       .help = "the direction of the first vertex"},
+      point("centre", "[0, 0]", "where its middle is"),
+      {.name = "outline", .type = OptionType::vector_list, .default_text = "none", .unit = "m", .help = "its vertices"},
       {.name = "holes",
        .type = OptionType::vector_lists,
        .default_text = "none",
        .unit = "m",
-       .help = "of a polygon: the vertices of each hole"},
+       .help = "the vertices of each hole"},
       {.name = "file",
        .type = OptionType::text,
        .default_text = "none",
        .help = "relative to the study: a POLYGON in WKT (.wkt), or a Polygon in GeoJSON (.geojson, .json); metres, "
                "unless 'scale' says otherwise"},
-      scale_option("of a polygon or a file: its coordinates"),
+      scale_option("its coordinates"),
       thickness,
       {.name = "corner_turn",
        .type = OptionType::number,
@@ -199,14 +207,14 @@ OptionSchema body_fields() {
        .unit = "°",
        .minimum = 0.0,
        .maximum = 180.0,
-       .help = "an outline's vertex is a corner where the outline turns by more than this"},
+       .help = "in the plane: an outline's vertex is a corner where the outline turns by more than this"},
       {.name = "on_outline",
        .type = OptionType::number,
        .default_text = "1e-6; of nodes in a file as much as their digits leave open, up to 1e-5",
        .minimum = kPlaceRounding,
        .maximum = 1e-2,
-       .help = "a node is on a side, or at a corner, within this share of the body's size"},
-  };
+       .help = "in the plane: a node is on a side, or at a corner, within this share of the body's size"},
+  });
 }
 
 namespace {

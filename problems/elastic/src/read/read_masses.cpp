@@ -57,7 +57,8 @@ OptionSchema masses_fields() {
        .type = OptionType::text,
        .default_value = "none",
        .choices = {"none", "least-norm", "positive"},
-       .help = "none: equilibria need no masses; least-norm: the body's moments up to order two with the least Σ m², "
+       .help = "none: equilibria need no masses; in the plane, least-norm: the body's moments up to order two with the "
+               "least Σ m², "
                "masses may be negative; positive: the masses nearest to those of the Voronoi regions that have the "
                "moments (needs CGAL)"},
       {.name = "density",

@@ -29,12 +29,16 @@ OptionSchema points_fields() {
   std::vector<std::string> told = summaries_of(layouts());
   const std::string last = std::move(told.back());
   told.pop_back();
+  std::vector<std::string_view> in_space;
+  for (const Layout* layout : layouts())
+    if (layout->in_space) in_space.push_back(layout->name);
   OptionSchema fields = {
       {.name = "layout",
        .type = OptionType::text,
        .default_text = fmt::format("{} where one is given, else {}", kFileLayout.name, kGridLayout.name),
        .choices = names_of(layouts()),
-       .help = fmt::format("how nodes are placed: {}, or {}", fmt::join(told, ", "), last)}};
+       .help = fmt::format("how nodes are placed: {}, or {}; in space by {} only", fmt::join(told, ", "), last,
+                           fmt::join(in_space, " or "))}};
   std::ranges::move(options_of(layouts()), std::back_inserter(fields));
   return fields;
 }

@@ -31,7 +31,7 @@ std::string suiting() {
 
 std::string told_of(const Connection& connection) {
   std::vector<std::string> remarks;
-  if (!connection.in_plane) remarks.emplace_back("in space only");
+  if (const std::string_view where = connection.where(); !where.empty()) remarks.emplace_back(where);
   if (connection.mechanism) remarks.emplace_back("a mechanism: refused");
   if (!connection.needs.empty()) remarks.push_back(fmt::format("needs {}", connection.needs));
   const std::string in_brackets = remarks.empty() ? "" : fmt::format(" ({})", fmt::join(remarks, ", "));
@@ -51,8 +51,7 @@ std::string topology_help() {
   for (const Layout* layout : layouts())
     if (const auto told = all_told_of(layout->name); !told.empty())
       help += fmt::format("of layout {}: {}; ", layout->name, fmt::join(told, ", "));
-  return help + fmt::format("of any nodes in the plane: {}; 'nodal list topologies' says how",
-                            fmt::join(all_told_of(""), ", "));
+  return help + fmt::format("of any nodes: {}; 'nodal list topologies' says how", fmt::join(all_told_of(""), ", "));
 }
 
 // What joins the nodes of a layout where the study doesn't say.

@@ -43,7 +43,7 @@ OptionSchema material_fields() {
        .type = OptionType::text,
        .default_value = "stress",
        .choices = {"stress", "strain"},
-       .help = "plane stress or plane strain; nothing in space"},
+       .help = "plane stress or plane strain, of bodies in the plane"},
   };
 }
 
@@ -91,8 +91,8 @@ OptionSchema springs_fields() {
   OptionSchema fields = {
       {.name = "file",
        .type = OptionType::text,
-       .help = "springs of your own: CSV with columns first, second (the nodes) and if you like stiffness, group; or a "
-               "system file"},
+       .help = "springs of your own, in the plane: CSV with columns first, second (the nodes) and if you like "
+               "stiffness, group; or a system file"},
       columns_option({"first", "second", "stiffness", "length", "group"}),
   };
   std::ranges::move(topology_options(), std::back_inserter(fields));

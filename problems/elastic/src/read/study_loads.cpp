@@ -18,7 +18,7 @@ namespace {
 
 void refuse_key(const Options& table, const char* key, const char* instead) {
   if (table.has(key))
-    throw InputError(table.at(key).source, fmt::format("'{}' belongs to the plate's loads, and this study has cases of "
+    throw InputError(table.at(key).source, fmt::format("'{}' belongs to the basic loads, and this study has cases of "
                                                        "its own; {}",
                                                        key, instead));
 }
@@ -105,6 +105,8 @@ void apply_measurements(const std::vector<MeasuredLoad>& measured, const Freedom
   set = std::move(grouped).finish();
 }
 
+constexpr const char* kClosedForms = "a closed form is known for the basic loads only";
+
 // Without a reference a study can be solved, but nothing fitted. Loads go together as if all were known.
 void only_solved(const std::vector<OwnCase>& cases, const Source& source, Scene& scene) {
   for (const OwnCase& one : cases)
@@ -114,10 +116,11 @@ void only_solved(const std::vector<OwnCase>& cases, const Source& source, Scene&
                                    "reference = {{ file = \"displacements.csv\" }}, or a 'displacement'",
                                    one.name));
   scene.has_reference = false;
-  scene.fit_refusal = InputError(source,
-                                 "cases of your own need reference = { file = \"displacements.csv\" }, the "
-                                 "displacements to be matched: a closed form is known for the plate's loads only")
-                          .what();
+  scene.fit_refusal =
+      InputError(source, fmt::format("cases of your own need reference = {{ file = \"displacements.csv\" }}, the "
+                                     "displacements to be matched: {}",
+                                     kClosedForms))
+          .what();
   const std::vector<double> zero(scene.net.freedoms().size(), 0.0), all(zero.size(), 1.0);
   apply_measurements(std::vector<MeasuredLoad>(cases.size(), {zero, all}), scene.net.freedoms(), scene.loads);
 }
@@ -199,7 +202,7 @@ constexpr const char* kMeasuredStage = "measured reference";
 
 void tell_of_closed_form(bool own, Account& account) {
   if (own)
-    account.left_out(kAnalyticStage, "a closed form is known for the basic loads only");
+    account.left_out(kAnalyticStage, kClosedForms);
   else
     account.used(kAnalyticStage, "a homogeneous body under homogeneous stress: the closed form is exact");
   account.left_out(kMeasuredStage, "no file is given");
@@ -233,7 +236,7 @@ OptionSchema loads_fields() {
                "minimal: three balanced loads, in space six, rigid motions held (Figure 5)"},
       {.name = "cases",
        .type = OptionType::table_list,
-       .help = "load cases of your own; to be fitted they need reference.file",
+       .help = "load cases of your own, in the plane; to be fitted they need reference.file",
        .fields = case_fields()},
   };
 }
@@ -244,11 +247,11 @@ OptionSchema reference_fields() {
        .type = OptionType::text,
        .default_value = "auto",
        .choices = {"auto", "analytic", "file"},
-       .help = "auto takes the file where one is given, else the closed form, which is exact for the plate's loads on "
+       .help = "auto takes the file where one is given, else the closed form, which is exact for the basic loads on "
                "any homogeneous body"},
       {.name = "file",
        .type = OptionType::text,
-       .help = "measured displacements: CSV with columns load, node (or x, y), ux, uy, weight"},
+       .help = "measured displacements, in the plane: CSV with columns load, node (or x, y), ux, uy, weight"},
       columns_option({"load", "node", "x", "y", "ux", "uy", "weight"}),
       scale_option("the file's displacements and places"),
   };

@@ -33,6 +33,10 @@ struct Connection {
 
   [[nodiscard]] std::string lacking() const { return lacks ? lacks() : std::string(); }
   [[nodiscard]] bool is_for(bool space) const { return space ? in_space : in_plane; }
+  /// "in the plane only"; empty where it joins nodes in the plane and in space.
+  [[nodiscard]] std::string_view where() const {
+    return in_plane == in_space ? "" : in_plane ? "in the plane only" : "in space only";
+  }
 };
 
 // The one that needs no library.

@@ -55,13 +55,12 @@ extern const Connection kCrossedConnection = {
     .layout = "grid",
     .make = join};
 
-extern const Connection kFacesConnection = {
-    .name = "faces",
-    .summary = "in space: both diagonals of each face, and none through the cells",
-    .in_plane = false,
-    .in_space = true,
-    .layout = "grid",
-    .make = join};
+extern const Connection kFacesConnection = {.name = "faces",
+                                            .summary = "both diagonals of each face, and none through the cells",
+                                            .in_plane = false,
+                                            .in_space = true,
+                                            .layout = "grid",
+                                            .make = join};
 
 extern const Connection kGridConnection = {.name = "grid",
                                            .summary = "no diagonals, so its cells shear without resistance",

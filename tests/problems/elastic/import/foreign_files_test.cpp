@@ -161,7 +161,8 @@ TEST_F(ForeignFiles, WhatIsRefusedIsNamed) {
             "put # in "
             "front of others");
   EXPECT_EQ(refused("nodes.csv", "node,x,y,z\n1,0,0,0\n2,4,0,0\n3,2,3,50\n"),
-            "nodes.csv:4: z is 50 here and 0 before: a plane system has one z; give x and y in its plane");
+            "nodes.csv:4: z is 50 here and 0 before: a plane system has one z; give x and y in its plane. Systems in "
+            "space are read as starts only");
   EXPECT_EQ(
       refused("nodes.csv", "node,x,y\n1,0,0\n2,4,0\n3,2,3\n4,9,9\n"),
       "study.toml:6: the net is a mechanism under the supports of load: 2 motions without resistance move node 4; no "
@@ -226,7 +227,8 @@ TEST_F(ForeignFiles, JsonOfAnotherMeaningIsRefused) {
             "s.json:1: unknown key 'id' in a node; valid: 'node', 'x', 'y', 'z', 'mass'");
   EXPECT_EQ(
       refused(R"({"node":1,"x":0,"y":0,"z":0},{"node":2,"x":4,"y":0,"z":0},{"node":3,"x":2,"y":3,"z":50})", springs),
-      "s.json:1: z is 50 here and 0 before: a plane system has one z; give x and y in its plane");
+      "s.json:1: z is 50 here and 0 before: a plane system has one z; give x and y in its plane. Systems in "
+      "space are read as starts only");
   EXPECT_EQ(refused(R"({"node":1,"x":0,"y":0,"z":0},{"node":2,"x":4,"y":0})", springs),
             "s.json:1: some points have a z and others don't; give x and y only, the system is plane");
   EXPECT_EQ(refused(nodes, R"({"nodes":[1,2],"stiffness":5,"length":3.0})"),
