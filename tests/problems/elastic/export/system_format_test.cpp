@@ -69,6 +69,23 @@ TEST_F(Formats, AreReadBackByWhatAFileEndsIn) {
   EXPECT_EQ(plate_->exhibit()->read(directory_.path() / "fitted"), k);
 }
 
+// A start of springs of one's own that have no bounds is read twice: for its bounds, too.
+TEST_F(Formats, OfAStartAreReadTheSameWayForItsBounds) {
+  write("nodes.csv", "x,y\n0,0\n1,0\n0,1\n");
+  write("springs.csv", "first,second\n0,1\n1,2\n0,2\n");
+  for (const SystemFormat* format : system_formats()) {
+    if (format->read) continue;
+    const std::string name = "start" + std::string(format->extension);
+    write(name, format->write(*plate_, random_stiffness()));
+    EXPECT_PRED2(
+        says,
+        refusal("points = { file = \"nodes.csv\" }\nsprings = { file = \"springs.csv\", initial = { file = \"" + name +
+                "\" } }\n[[problem.loads.cases]]\nname = \"pull\"\nsupports = [{ nodes = [0] }, { nodes = "
+                "[1], fix = \"y\" }]\nforces = [{ nodes = [2], force = [1, 0] }]\n"),
+        name + ": stiffnesses can't be read back from " + std::string(format->summary));
+  }
+}
+
 TEST_F(Formats, ThatCantBeReadBackSayWhichCan) {
   static constexpr SystemFormat lines = {
       .name = "lines",
