@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <nodal/error.h>
 
+#include "import/named_file.h"
 #include "import/system_files.h"
 #include "points/layout.h"
 #include "points/written_places.h"
@@ -17,7 +18,7 @@ LaidNodes read_nodes(const LayoutRequest& request) {
   LaidNodes laid;
   laid.net.body = request.body;
   InputFiles& files = request.context.files;
-  read_node_file(files, files.path(points.text("file")), laid.net, request.account, read_table_options(points));
+  read_node_file(files, named_file(files, points.at("file")), laid.net, request.account, read_table_options(points));
   if (!request.problem.table("body").has("on_outline"))
     laid.net.body.on_outline = on_outline_as_written(in_plane(laid.net.nodes), request.body);
   find_border(laid.net);

@@ -10,6 +10,7 @@
 #include <nodal/error.h>
 
 #include "geometry/plane/outline_check.h"
+#include "import/named_file.h"
 #include "import/outline_file.h"
 #include "import/table_options.h"
 
@@ -248,7 +249,7 @@ Body read_rings(const Options& body, const ProblemContext& context, const std::s
   if (shape == "none") return {.name = "none", .rings = {}, .thickness = thickness, .corner_turn = corner_turn};
   if (shape == "file") {
     const std::filesystem::path file = body.text("file");
-    FileOutline outline = read_outline_file(context.files, context.files.path(file));
+    FileOutline outline = read_outline_file(context.files, named_file(context.files, body.at("file")));
     scale_rings(body, outline.rings);
     Body read =
         plane::checked_body(std::move(outline.rings), file.filename().string(), thickness, corner_turn, outline.source);

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "export/system_format.h"
+#include "import/named_file.h"
 #include "starts/stiffness_bounds.h"
 
 namespace nodal::elastic {
@@ -47,9 +48,9 @@ std::pair<double, std::string> typical(const Options& springs, const ProblemCont
   if (!study.stiffness.empty()) return {geometric_mean(study.stiffness), "the springs' stiffnesses"};
   if (springs.has("initial") && springs.at("initial").is_table())
     if (const Options start(springs.at("initial")); start.has("file"))
-      return {
-          geometric_mean(read_back(system_formats(), context.files, context.files.path(start.text("file")), scene.net)),
-          "the start's stiffnesses"};
+      return {geometric_mean(
+                  read_back(system_formats(), context.files, named_file(context.files, start.at("file")), scene.net)),
+              "the start's stiffnesses"};
   return {geometric_mean(paper.of(scene).stiffness), "the start by 'paper' at its best factor"};
 }
 

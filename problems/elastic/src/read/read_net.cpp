@@ -5,6 +5,7 @@
 
 #include <nodal/error.h>
 
+#include "import/named_file.h"
 #include "import/system_files.h"
 #include "read/memory_need.h"
 #include "read/read_points.h"
@@ -45,7 +46,8 @@ StudyNet read_own_springs(const Options& problem, const ProblemContext& context,
   const Options springs = problem.table("springs");
   TableOptions options = read_table_options(springs);
   options.scale = read_table_options(problem.table("points")).scale;  // lengths are in the nodes' unit
-  SpringFile file = read_spring_file(context.files, context.files.path(springs.text("file")), net, account, options);
+  SpringFile file =
+      read_spring_file(context.files, named_file(context.files, springs.at("file")), net, account, options);
   net.topology = fmt::format("from {}", springs.text("file"));
   net.grid = {};
   net.springs = std::move(file.springs);

@@ -9,6 +9,7 @@
 #include <nodal/error.h>
 
 #include "export/system_format.h"
+#include "import/named_file.h"
 #include "starts/energy_start.h"
 #include "starts/start_rule.h"
 #include "starts/stiffness_bounds.h"
@@ -115,7 +116,7 @@ std::string read_given_start(const StartRequest& request, Scene& scene) {
   if (table.has("file")) {
     if (table.has("scale")) throw InputError(initial.source, "'scale' belongs to a rule; a file is taken as it is");
     InputFiles& files = request.context.files;
-    scene.initial_stiffness = read_back(system_formats(), files, files.path(table.text("file")), scene.net);
+    scene.initial_stiffness = read_back(system_formats(), files, named_file(files, table.at("file")), scene.net);
     require_within_bounds(scene.initial_stiffness, initial.source, request.bounds_origin, scene);
     return "file " + table.text("file");
   }

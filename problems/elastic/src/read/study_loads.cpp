@@ -9,6 +9,7 @@
 #include <nodal/error.h>
 
 #include "import/displacement_file.h"
+#include "import/named_file.h"
 #include "loads/load_set_builder.h"
 #include "loads/own_loads.h"
 
@@ -301,7 +302,7 @@ void read_loads(const Options& problem, const ProblemContext& context, Scene& sc
   std::vector<std::string> names;
   for (const LoadCase& load : scene.loads.loads) names.push_back(load.name);
   const std::vector<MeasuredLoad> measured =
-      read_displacement_file(context.files, context.files.path(reference.text("file")), scene.net, names, account,
+      read_displacement_file(context.files, named_file(context.files, reference.at("file")), scene.net, names, account,
                              read_table_options(reference));
   for (std::size_t l = 0; l < cases.size(); ++l)
     hold_as_measured(cases[l], measured[l], scene.net, scene.loads.groups[l]);

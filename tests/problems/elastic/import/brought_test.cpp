@@ -198,11 +198,30 @@ TEST_F(Brought, AChangedFileMakesOtherTrials) {
   EXPECT_NE(key(), before);
 }
 
+// Whichever key names a file that isn't there, the study's line is told.
+TEST_F(Brought, FilesThatAreNotThereAreToldWhereTheyAreNamed) {
+  write_plate(*make_plate({.supports = "minimal"}));
+  const std::string none = "study.toml:7: cannot read 'none.json': No such file or directory";
+  const std::string grid = "body = { size = [4, 4] }\npoints = { counts = [5, 5] }\n";
+  const std::string own = "body = { size = [4, 4] }\npoints = { file = \"nodes.csv\" }\n";
+  const std::string cases = plate_cases(4);
+  for (const std::string& study : std::vector<std::string>{
+           "points = { counts = [5, 5] }\nmoves = {}\nbody = { file = \"none.json\" }\n",
+           "moves = {}\nbody = { size = [4, 4] }\npoints = { file = \"none.json\" }\n",
+           own + "springs = { file = \"none.json\" }\n" + cases,
+           grid + "springs = { initial = { file = \"none.json\" } }\n",
+           own + "springs = { file = \"springs.csv\", initial = { file = \"none.json\" } }\n" + cases,
+           own + "springs = { file = \"springs.csv\", bounds = [1e-4, 1e2], initial = { file = \"none.json\" } }\n" +
+               cases,
+           grid + "reference = { file = \"none.json\" }\n"})
+    EXPECT_EQ(refusal(study), none) << study;
+}
+
 TEST_F(Brought, WhatIsWrongIsSaidWithItsPlace) {
   write_plate(*make_plate({.supports = "minimal"}));
   const std::string cases = plate_cases(4);
   EXPECT_EQ(refusal("points = { file = \"none.csv\" }\nsprings = { file = \"springs.csv\" }\n"),
-            "cannot read node file 'none.csv': No such file or directory");
+            "study.toml:5: cannot read 'none.csv': No such file or directory");
   EXPECT_EQ(refusal("points = { file = \"nodes.csv\", counts = [3, 3] }\n"),
             "study.toml:5: 'counts' belongs to layout 'grid', and this one is 'file'");
   const std::string files = kFiles;

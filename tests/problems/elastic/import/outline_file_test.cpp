@@ -299,7 +299,7 @@ TEST_F(OutlineFile, OfAnotherKindIsRefused) {
 
 TEST_F(OutlineFile, ThatCannotBeReadIsRefused) {
   const std::string path = (directory_.path() / "b.wkt").string();
-  EXPECT_EQ(refusal("b.wkt"), "cannot read outline file '" + path + "': No such file or directory");
+  EXPECT_EQ(refusal("b.wkt"), "cannot read '" + path + "': No such file or directory");
   std::filesystem::create_directory(path);
   EXPECT_TRUE(refusal("b.wkt").starts_with("cannot read outline file '" + path + "': "));
 }
