@@ -62,6 +62,8 @@ const BadStudy kBadStudies[] = {
     {"OneRow", "points", "points = { counts = [5, 1] }",
      "plate.toml:10: 'counts' is [5, 1]: a grid with one row or column has no area; give at least 2 nodes in each "
      "direction"},
+    {"DefaultDensityOfNoMasses", "material", "masses = { density = 1.0 }",
+     "plate.toml:9: 'density' in 'masses' belongs to form 'least-norm' or 'positive', and this one is 'none'"},
     {"DensityOfNoMasses", "material", "masses = { density = 1060 }",
      "plate.toml:9: 'density' in 'masses' belongs to form 'least-norm' or 'positive', and this one is 'none'"},
     {"ShareOfNoPositiveMasses", "material", "masses = { form = \"least-norm\", least_share = 0.5 }",

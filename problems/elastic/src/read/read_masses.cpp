@@ -45,8 +45,8 @@ void refuse_foreign_keys(const Options& masses, const std::string& form) {
     throw InputError(masses.at(key).source,
                      fmt::format("'{}' in 'masses' belongs to form {}, and this one is '{}'", key, forms, form));
   };
-  if (form == "none" && masses.number("density") != kDensity) refuse("density", "'least-norm' or 'positive'");
-  if (form != "positive" && masses.number("least_share") != kSmallestMassShare) refuse("least_share", "'positive'");
+  if (form == "none" && masses.given("density")) refuse("density", "'least-norm' or 'positive'");
+  if (form != "positive" && masses.given("least_share")) refuse("least_share", "'positive'");
 }
 
 }  // namespace
