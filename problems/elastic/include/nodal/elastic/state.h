@@ -19,8 +19,8 @@ namespace nodal::elastic {
 struct LoadState {
   std::string name;
   double quality = 0.0;
-  std::vector<double> displacement;  ///< [2 · nodes]
-  std::vector<double> reference;     ///< [2 · nodes]; empty where the scene has none
+  std::vector<double> displacement;  ///< [dimension · nodes]
+  std::vector<double> reference;     ///< [dimension · nodes]; empty where the scene has none
   std::vector<double> spring_force;  ///< [springs] k_e b_e·u, positive where it pulls
   std::vector<Support> supports;
   std::vector<double> bearing;  ///< force on each support (eq. 11)
