@@ -110,24 +110,41 @@ class Apart {
   std::vector<Point> taken_;
 };
 
-std::string force_arrows(const PicturedLoad& load, const Frame& frame, const std::vector<Point>& system) {
+std::string force_arrows(const PicturedLoad& load, const Frame& frame, const std::vector<Point>& system,
+                         const std::vector<bool>& drawn) {
   Apart apart(kArrowSpacing);
   std::string path;
   for (std::size_t i = 0; i < load.forces.size(); ++i)
-    if (length(load.forces[i]) * frame.arrow > kShortestArrow && apart.take(system[i]))
+    if (drawn[i] && length(load.forces[i]) * frame.arrow > kShortestArrow && apart.take(system[i]))
       path += arrow_path(system[i], {frame.arrow * load.forces[i][0], -frame.arrow * load.forces[i][1]});
   return path.empty() ? "" : "<path class=\"force\" d=\"" + path + "\"/>";
 }
 
-std::string support_marks(const PicturedLoad& load, const Frame& frame, const std::vector<Point>& system) {
+std::string support_marks(const PicturedLoad& load, const Frame& frame, const std::vector<Point>& system,
+                          const std::vector<bool>& drawn) {
   const double side = frame.spacing > 0.0 ? std::clamp(0.5 * frame.spacing, 2.5, 5.0) : 5.0;
   Apart apart(side + 1.5);
   std::string text;
   for (const std::size_t node : load.fixed)
-    if (apart.take(system[node]))
+    if (drawn[node] && apart.take(system[node]))
       text += fmt::format(R"(<rect class="held" x="{:.1f}" y="{:.1f}" width="{:.1f}" height="{:.1f}"/>)",
                           system[node][0] - 0.5 * side, system[node][1] - 0.5 * side, side, side);
   return text;
+}
+
+// [nodes] whether something of the body is between a node and who looks: in space those on no face that is seen.
+std::vector<bool> hidden_nodes(const Picture& picture) {
+  std::vector<bool> hidden(picture.nodes.size(), !picture.seen.empty());
+  for (std::size_t e = 0; e < picture.seen.size(); ++e)
+    if (picture.seen[e]) hidden[picture.springs[e].first] = hidden[picture.springs[e].second] = false;
+  return hidden;
+}
+
+// What pulls and what holds behind the body, or it would look as if it did so on a face that is seen.
+std::string marks_behind(const PicturedLoad& load, const Frame& frame, const std::vector<Point>& system,
+                         const std::vector<bool>& hidden) {
+  const std::string marks = force_arrows(load, frame, system, hidden) + support_marks(load, frame, system, hidden);
+  return marks.empty() ? marks : "<g class=\"behind\" opacity=\"0.3\">" + marks + "</g>";
 }
 
 }  // namespace
@@ -136,10 +153,14 @@ std::string load_panel(const Picture& picture, const PicturedLoad& load, const F
                        const StiffnessColours& colours) {
   const std::vector<Point> system = displaced(picture, load.displacement, frame);
   const std::vector<Point> body = displaced(picture, load.reference, frame);
-  return spring_lines(picture, DrawnSprings(picture, DrawnSprings::kMostUnderLoad), system, frame.line_width(),
+  const std::vector<bool> hidden = hidden_nodes(picture);
+  std::vector<bool> in_front = hidden;
+  in_front.flip();
+  return marks_behind(load, frame, system, hidden) +
+         spring_lines(picture, DrawnSprings(picture, DrawnSprings::kMostUnderLoad), system, frame.line_width(),
                       colours) +
-         reference_lines(picture, load, frame, body) + force_arrows(load, frame, system) +
-         known_marks(load, body, system) + support_marks(load, frame, system);
+         reference_lines(picture, load, frame, body) + force_arrows(load, frame, system, in_front) +
+         known_marks(load, body, system) + support_marks(load, frame, system, in_front);
 }
 
 std::string load_svg(const Picture& picture, const PicturedLoad& load, const Frame& frame,

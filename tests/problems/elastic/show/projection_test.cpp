@@ -40,6 +40,13 @@ TEST(Picture, OfABlockIsFainterBehindAndSaysHowItIsSeen) {
   EXPECT_EQ(fixture::WellFormed(svg).error(), "");
   EXPECT_NE(svg.find("stroke-opacity=\"0.25\""), std::string::npos);
   EXPECT_NE(svg.find("In space: x to the right"), std::string::npos);
+  // Of the low x face, which holds stretch-x, the edges at the top and in front are seen, and four nodes are not.
+  const std::size_t behind = svg.find("<g class=\"behind\"");
+  ASSERT_NE(behind, std::string::npos);
+  const std::string marks = svg.substr(behind, svg.find("</g>", behind) - behind);
+  std::size_t held = 0;
+  for (std::size_t at = marks.find("<rect"); at != std::string::npos; at = marks.find("<rect", at + 1)) ++held;
+  EXPECT_EQ(held, 4u);
   for (const LoadState& load : problem.solve(problem.start_stiffness()).loads)
     EXPECT_NE(svg.find(">" + load.name + "</text>"), std::string::npos) << load.name;
 }
