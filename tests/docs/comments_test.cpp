@@ -40,8 +40,10 @@ bool is_source(const fs::path& path) {
 // "net.h", "elastic/net.h" and "problems/elastic/include/nodal/elastic/net.h" are all the same file, and
 // "tests/docs/config_reference" is several.
 bool is_there(const std::string& name) {
-  return std::ranges::any_of(
-      all_paths(), [&](const std::string& path) { return path.ends_with("/" + name) || path.starts_with("/" + name); });
+  return std::ranges::any_of(all_paths(), [&](const std::string& path) {
+    if (path.ends_with("/" + name)) return true;
+    return path.starts_with("/" + name) && (path[name.size() + 1] == '/' || path[name.size() + 1] == '.');
+  });
 }
 
 // By the build.

@@ -2,7 +2,7 @@
 #pragma once
 
 /// Options as data. Every component declares what can be set on it; reading a study, `nodal list`, the config
-/// reference, `--set` and the effective options in a record all come from these declarations.
+/// reference and the effective options in a record all come from these declarations.
 
 #include <array>
 #include <cstddef>

@@ -7,7 +7,7 @@
 
 namespace nodal::elastic {
 
-void SameHeight::add(const std::optional<double>& z, const Source& source) {
+void SameHeight::add(const std::optional<double>& z, const Source& source, const char* advice) {
   if (first_) {
     first_ = false;
     z_ = z;
@@ -15,9 +15,9 @@ void SameHeight::add(const std::optional<double>& z, const Source& source) {
   if (z == z_) return;
   if (!z || !z_)
     throw InputError(source, "some points have a z and others don't; give x and y only, the system is plane");
-  throw InputError(source, fmt::format("z is {} here and {} before: a plane system has one z; give x and y in its "
-                                       "plane. Systems in space are read as starts only",
-                                       *z, *z_));
+  throw InputError(
+      source, fmt::format("z is {} here and {} before: a plane system has one z; give x and y in its plane{}", *z, *z_,
+                          advice));
 }
 
 std::string SameHeight::left_out(const std::string& file) const {

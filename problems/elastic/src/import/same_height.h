@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-/// A plane system has one z: many programs write it, and it is left out. Several would be another system, in space,
-/// which is read as a start only (stiffness.h).
+/// What is in the plane has one z: many programs write it, and it is left out. Several would be something in space.
 
 #include <optional>
 #include <string>
@@ -13,8 +12,8 @@ namespace nodal::elastic {
 
 class SameHeight {
  public:
-  /// The z of one more point, or that it has none. InputError at `source` when the others differ.
-  void add(const std::optional<double>& z, const Source& source);
+  /// The z of one more point, or that it has none. InputError at `source` when the others differ; `advice` ends it.
+  void add(const std::optional<double>& z, const Source& source, const char* advice = "");
 
   /// A remark with the name of the file, without its folder: "nodes.csv: z, 5 everywhere, is left out"; empty where no
   /// point has a z.

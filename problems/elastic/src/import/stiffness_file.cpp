@@ -29,7 +29,8 @@ double stiffness_of(const SpringEntry& entry, const std::string& name) {
   return *entry.stiffness;
 }
 
-constexpr const char* kOtherBody = "the file is of another body or net; give stiffnesses that belong to this one";
+constexpr const char* kOtherBody =
+    "the file is of another body or net, or not in metres; give stiffnesses that belong to this one";
 
 // Springs of another body have the same names where its nodes are counted as ours are.
 void require_same_length(const SpringEntry& entry, const Spring& spring, double size, const std::string& name) {

@@ -76,6 +76,9 @@ void require_rest_length(const SpringEntry& entry, const Spring& spring, double 
 
 }  // namespace
 
+// A block that nodal has written, say (stiffness.h).
+constexpr const char* kInSpace = ". Systems in space are read as starts only";
+
 void read_node_file(InputFiles& files, const std::filesystem::path& path, Net& net, Account& account,
                     const TableOptions& options) {
   const Entries<NodeEntry> read = read_node_entries(files, path, options);
@@ -92,7 +95,7 @@ void read_node_file(InputFiles& files, const std::filesystem::path& path, Net& n
     if (!std::isfinite(at[0]) || !std::isfinite(at[1])) throw InputError(entry.source, "the position is not finite");
     if (named && !known.emplace(*entry.id, net.nodes.size()).second)
       throw InputError(entry.source, fmt::format("node {} stands twice", *entry.id));
-    heights.add(entry.z, entry.source);
+    heights.add(entry.z, entry.source, kInSpace);
     if (named) net.ids.push_back(*entry.id);
     net.nodes.push_back(lifted(at));
   }

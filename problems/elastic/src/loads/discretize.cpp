@@ -31,7 +31,7 @@ void require_border(const Net& net) {
       throw Refusal(fmt::format("{} has {} on it, so the loads can't pull there: an outline needs at least 2 nodes",
                                 r == 0 ? "the outline" : fmt::format("hole {}", r),
                                 net.outlines[r].empty() ? "no node" : "only 1 node"));
-  if (!net.body.has_outline() && !net.body.box) throw Refusal("the plate loads need a body with an outline to pull at");
+  if (!net.body.has_outline() && !net.body.box) throw Refusal("the basic loads need a body with an outline to pull at");
 }
 
 void require_closed_form(const LoadSpec& spec) {

@@ -246,6 +246,9 @@ Body read_rings(const Options& body, const ProblemContext& context, const std::s
               [&] { return space::box_body(vector_or(body, "corner", {}), vector_or(body, "size", {})); });
   }
   const double thickness = body.number("thickness"), corner_turn = radians(body.number("corner_turn"));
+  if (shape == "none" && body.given("corner_turn"))
+    throw InputError(body.at("corner_turn").source,
+                     "'corner_turn' belongs to bodies with an outline, and shape 'none' has none");
   if (shape == "none") return {.name = "none", .rings = {}, .thickness = thickness, .corner_turn = corner_turn};
   if (shape == "file") {
     const std::filesystem::path file = body.text("file");

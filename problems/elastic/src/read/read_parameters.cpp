@@ -50,9 +50,10 @@ ParameterRule read_table(const Options& table, const Net& net) {
     if (table.has(key) && rule.name != owner)
       throw InputError(table.at(key).source, fmt::format("'{}' belongs to rule '{}'", key, owner));
   if (table.has("direction_tolerance") && net.grid.columns > 0)
-    throw InputError(table.at("direction_tolerance").source,
-                     "'direction_tolerance' divides directions where the points are no grid; a grid's are known: leave "
-                     "it out");
+    throw InputError(
+        table.at("direction_tolerance").source,
+        "'direction_tolerance' divides directions where the points are no full grid; a grid's are known: leave "
+        "it out");
   if (table.has("direction_tolerance")) rule.direction_tolerance = table.number("direction_tolerance");
   if (table.has("length_classes")) rule.length_classes = static_cast<std::size_t>(table.integer("length_classes"));
   return rule;
@@ -74,7 +75,7 @@ Option parameters_option() {
                       .unit = "degrees",
                       .minimum = 0.0,
                       .maximum = 90.0,
-                      .help = "of by-direction, where the points are no grid: a wider gap divides classes"},
+                      .help = "of by-direction, where the points are no full grid: a wider gap divides classes"},
                      {.name = "length_classes",
                       .type = OptionType::integer,
                       .default_text = "3",

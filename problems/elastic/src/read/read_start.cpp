@@ -129,8 +129,7 @@ std::string read_given_start(const StartRequest& request, Scene& scene) {
 void read_start(const StartRequest& request, Scene& scene) {
   const Options& springs = request.springs;
   const bool given = springs.has("initial");
-  request.account.used("initial stiffness",
-                       given ? read_given_start(request, scene) : read_default_start(request, scene));
+  request.account.used(kStartStage, given ? read_given_start(request, scene) : read_default_start(request, scene));
   const bool of_file =
       given ? springs.at("initial").is_table() && springs.at("initial").find("file") : !request.study.stiffness.empty();
   if (of_file) tell_of_ties(scene, request.account);

@@ -81,11 +81,10 @@ void require_rigid(const Net& net, const LoadSet& loads, bool own_supports, cons
                     rigid ? why_it_is_not_held(net, own_supports) : why_it_moves(net)),
         net, found.motions.empty() ? std::vector<double>(net.freedoms().size(), 0.0) : found.motions.front());
   }
-  constexpr const char* kStage = "rigidity by sparse QR";
   if (known)
-    account.left_out(kStage, "a grid with diagonals is rigid");
+    account.left_out(kRigidityStage, "a grid with diagonals is rigid");
   else
-    account.used(kStage, "no node moves without resistance");
+    account.used(kRigidityStage, "no node moves without resistance");
 }
 
 }  // namespace nodal::elastic

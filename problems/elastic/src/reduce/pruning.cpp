@@ -72,6 +72,8 @@ MadeScene with_springs(const ElasticProblem& problem, const Pruned& pruned) {
   scene.initial_stiffness = pruned.stiffness;
   Account account = problem.account();
   account.used("springs", fmt::format("{}, {} springs", scene.net.topology, scene.net.springs.size()));
+  account.used(kRigidityStage, "no node moves without resistance");
+  account.used(kStartStage, "as it was pruned");
   return {std::move(scene), std::move(account)};
 }
 

@@ -10,9 +10,9 @@
 
 namespace nodal::elastic {
 
-/// InputError with the source of `key` where both stand.
+/// InputError with the source of `key` where both are given.
 inline void refuse_both(const Options& table, const char* key, const char* other) {
-  if (table.has(key) && table.has(other))
+  if (table.given(key) && table.given(other))
     throw InputError(table.at(key).source, fmt::format("'{}' and '{}' exclude each other", key, other));
 }
 

@@ -54,7 +54,7 @@ template <class Entry>
 template <class Entry>
 void refuse_foreign_options(const Options& study, Table<Entry> table, const Entry& chosen, const char* kind) {
   for (const Option& option : options_of(table))
-    if (study.has(option.name) && !reads(chosen, option.name))
+    if (study.given(option.name) && !reads(chosen, option.name))
       throw InputError(study.at(option.name).source,
                        fmt::format("'{}' belongs to {} '{}', and this one is '{}'", option.name, kind,
                                    fmt::join(readers_of(table, option.name), "' or '"), chosen.name));

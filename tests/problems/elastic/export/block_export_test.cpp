@@ -58,7 +58,8 @@ TEST_F(BlockExport, OfABlockOfAnotherSizeIsRefused) {
   const auto block = make_block();
   write("fitted.json", system_json(*block, block->start_stiffness()));
   EXPECT_PRED2(says, toy::message_of([&] { (void)from_file({.size = "[4, 4, 7]"}); }),
-               "spring (0, 1) has length 1 m in the file and 2 m in the net: the file is of another body or net; give "
+               "spring (0, 1) has length 1 m in the file and 2 m in the net: the file is of another body or net, or "
+               "not in metres; give "
                "stiffnesses that belong to this one");
   EXPECT_PRED2(says, toy::message_of([&] { (void)from_file({.size = "[2, 2, 3]"}); }), " has length 1 m in the file");
   std::string nodes = "{\"nodes\": [{\"x\": 0, \"y\": 0, \"z\": 0}, {\"x\": 1, \"y\": 0, \"z\": 0.5}],\n";

@@ -207,7 +207,8 @@ TEST_F(Brought, FilesThatAreNotThereAreToldWhereTheyAreNamed) {
   const std::string cases = plate_cases(4);
   for (const std::string& study : std::vector<std::string>{
            "points = { counts = [5, 5] }\nmoves = {}\nbody = { file = \"none.json\" }\n",
-           "moves = {}\nbody = { size = [4, 4] }\npoints = { file = \"none.json\" }\n",
+           "moves = {}\nbody = { size = [4, 4] }\npoints = { file = \"none.json\" }\nsprings = { topology = "
+           "\"nearest\" }\n",
            own + "springs = { file = \"none.json\" }\n" + cases,
            grid + "springs = { initial = { file = \"none.json\" } }\n",
            own + "springs = { file = \"springs.csv\", initial = { file = \"none.json\" } }\n" + cases,

@@ -78,8 +78,7 @@ TEST(Wkt, LeavesOutAHeightThatIsTheSameEverywhere) {
     EXPECT_EQ(outline.remarks, (std::vector<std::string>{"a.wkt: z, 5 everywhere, is left out"})) << type;
   }
   EXPECT_EQ(wkt_refusal("POLYGON Z ((0 0 1,1 0 1,\n1 1 2,0 0 1))"),
-            "a.wkt:2: z is 2 here and 1 before: a plane system has one z; give x and y in its plane. Systems in "
-            "space are read as starts only");
+            "a.wkt:2: z is 2 here and 1 before: a plane system has one z; give x and y in its plane");
   EXPECT_EQ(wkt_refusal("POLYGON Z ((0 0,1 0,1 1,0 0))"),
             "a.wkt:1: ',' is no finite number; a point is x and y, points are separated by commas");
 }
@@ -201,8 +200,7 @@ TEST(GeoJson, LeavesOutAHeightThatIsTheSameEverywhere) {
   EXPECT_EQ(parse_geojson(with(", 7.5", ", 7.5"), "a.json").remarks,
             (std::vector<std::string>{"a.json: z, 7.5 everywhere, is left out"}));
   EXPECT_EQ(geojson_refusal(with(", 1", ", 2")),
-            "a.json:1: z is 2 here and 1 before: a plane system has one z; give x and y in its plane. Systems in "
-            "space are read as starts only");
+            "a.json:1: z is 2 here and 1 before: a plane system has one z; give x and y in its plane");
   EXPECT_EQ(geojson_refusal(with("", ", 0")),
             "a.json:1: some points have a z and others don't; give x and y only, the system is plane");
 }

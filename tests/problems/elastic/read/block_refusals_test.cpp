@@ -66,11 +66,13 @@ INSTANTIATE_TEST_SUITE_P(
             "study.toml:6: 'plane' belongs to bodies in the plane, not to a box"},
         Bad{"direction_tolerance",
             BOX "springs = { parameters = { rule = \"by-direction\", direction_tolerance = 10 } }\n",
-            "study.toml:6: 'direction_tolerance' divides directions where the points are no grid; a grid's are known: "
+            "study.toml:6: 'direction_tolerance' divides directions where the points are no full grid; a grid's are "
+            "known: "
             "leave it out"},
         Bad{"direction_tolerance_in_the_plane",
             "springs = { parameters = { rule = \"by-direction\", direction_tolerance = 10 } }\n",
-            "study.toml:5: 'direction_tolerance' divides directions where the points are no grid; a grid's are known: "
+            "study.toml:5: 'direction_tolerance' divides directions where the points are no full grid; a grid's are "
+            "known: "
             "leave it out"},
         Bad{"corner_turn", "body = { size = [2, 2, 2], corner_turn = 20 }\n",
             "study.toml:5: 'corner_turn' belongs to bodies in the plane, not to a box"},

@@ -26,6 +26,8 @@ TEST(Pruning, TakesSoftSpringsAndSaysWhatIsLost) {
   EXPECT_EQ(pruned.removed.size(), 16u);
   EXPECT_TRUE(pruned.kept_soft.empty());
   ASSERT_EQ(pruned.problem->net().springs.size(), 56u);
+  EXPECT_EQ(pruned.problem->account().detail_of("springs"), "crossed, pruned, 56 springs");
+  EXPECT_NE(pruned.problem->account().detail_of(kRigidityStage), "");  // of the plate's own grid it isn't asked
   EXPECT_EQ(pruned.quality, plate->solve(k).quality);
 
   // The same system as the plate that never had them.

@@ -186,11 +186,13 @@ TEST_F(StiffnessFile, OfAnotherBodyIsRefused) {
   const Net other = make_grid_net(plane::rectangle_body({0, 0}, {1, 3}), 2, 2, "single");
   write(system_json(other, k));
   EXPECT_EQ(refusal(),
-            "FILE:10: spring (0, 2) has length 3 m in the file and 1 m in the net: the file is of another body or net; "
+            "FILE:10: spring (0, 2) has length 3 m in the file and 1 m in the net: the file is of another body or net, "
+            "or not in metres; "
             "give stiffnesses that belong to this one");
   write(system_json(make_grid_net(plane::rectangle_body({0, 7}, {1, 1}), 2, 2, "single"), k));
   EXPECT_EQ(refusal(),
-            "FILE:3: node 0 is at (0, 7) m in the file and at (0, 0) m in the net: the file is of another body or net; "
+            "FILE:3: node 0 is at (0, 7) m in the file and at (0, 0) m in the net: the file is of another body or net, "
+            "or not in metres; "
             "give stiffnesses that belong to this one");
 }
 TEST_F(StiffnessFile, MayRoundLengthsAndPlacesToSixDigits) {
@@ -213,7 +215,8 @@ TEST_F(StiffnessFile, WithNodesOfItsOwnIsHeldToThem) {
   EXPECT_EQ(with_nodes(R"({"node": 3, "x": 1, "y": 1, "z": 5})"), "accepted");  // z is the same everywhere
   EXPECT_NE(with_nodes(R"({"x": 0, "y": 0}, {"x": 0, "y": 1})"), "accepted");
   EXPECT_EQ(with_nodes(R"({"node": 4, "x": 0, "y": 2})"),
-            "FILE:1: node 4 is unknown to the net: the file is of another body or net; give stiffnesses that belong to "
+            "FILE:1: node 4 is unknown to the net: the file is of another body or net, or not in metres; give "
+            "stiffnesses that belong to "
             "this one");
   net_.ids = {10, 11, 12, 13};  // nodes without a name are none of these
   EXPECT_EQ(with_nodes(R"({"x": 0, "y": 0}, {"x": 0, "y": 1})"), "accepted");

@@ -48,5 +48,7 @@ class Account {
 /// What stages are called that are told of in two places, where they are used and where they are left out.
 inline constexpr std::string_view kVoronoiStage = "iterated Voronoi regions";
 inline constexpr std::string_view kTriangulationStage = "Delaunay triangulation";
+inline constexpr std::string_view kRigidityStage = "rigidity by sparse QR";
+inline constexpr std::string_view kStartStage = "initial stiffness";
 
 }  // namespace nodal::elastic

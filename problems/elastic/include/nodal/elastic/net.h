@@ -50,7 +50,7 @@ struct Tetrahedron {
   double share = 1.0;
 };
 
-/// Positive where the fourth node sees the others turn clockwise [m³].
+/// Positive where the fourth node sees the others turn counterclockwise [m³].
 [[nodiscard]] double volume_of(const std::vector<Vector>& nodes, const std::array<std::size_t, 4>& tetrahedron);
 
 struct Net {

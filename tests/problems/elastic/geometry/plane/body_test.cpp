@@ -378,6 +378,8 @@ TEST(BodyOptions, RefuseKeysOfOtherShapes) {
             "has 'size', 'corner'");
   EXPECT_EQ(refusal(R"({"shape": "none", "file": "a.wkt"})"),
             "s.toml:1: 'file' in 'body' belongs to shape 'file', not to 'none'; 'none' has no keys of its own");
+  EXPECT_EQ(refusal(R"({"shape": "none", "corner_turn": 30})"),
+            "s.toml:1: 'corner_turn' belongs to bodies with an outline, and shape 'none' has none");
 }
 
 TEST(BodyOptions, RefuseShapesWithoutTheirKeys) {
