@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <regex>
 
 #include "pages.h"
@@ -42,7 +43,7 @@ bool is_source(const fs::path& path) {
 bool is_there(const std::string& name) {
   return std::ranges::any_of(all_paths(), [&](const std::string& path) {
     if (path.ends_with("/" + name)) return true;
-    return path.starts_with("/" + name) && (path[name.size() + 1] == '/' || path[name.size() + 1] == '.');
+    return path.starts_with("/" + name) && std::ispunct(static_cast<unsigned char>(path[name.size() + 1]));
   });
 }
 
