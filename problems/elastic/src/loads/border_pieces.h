@@ -34,9 +34,9 @@ void for_each_border_piece(const Net& net, const std::function<void(const Border
 /// Adds what σ·n pulls with at one piece.
 void add_stress(const Net& net, const BorderPiece& piece, const Tensor& stress, std::span<double> forces);
 
-/// The nodes on a side of the body's bounding box, ascending: in the plane those of the outline; axis 0 is left and
-/// right, 1 bottom and top.
+/// Of an axis: left and right of 0, bottom and top of 1.
 enum class End { low, high };
+/// The nodes on a side of the body's bounding box, ascending: in the plane those of the outline.
 [[nodiscard]] std::vector<std::size_t> side_nodes(const Net& net, std::size_t axis, End end);
 
 }  // namespace nodal::elastic

@@ -40,7 +40,7 @@ constexpr const char* kFiles =
     "body = { size = [4, 4] }\npoints = { file = \"nodes.csv\" }\nsprings = { file = \"springs.csv\", initial = "
     "\"paper\" }\nreference = { file = \"displacements.csv\" }\n";
 
-// The minimal plate loads, said as a user would.
+// The minimal basic loads, said as a user would.
 constexpr const char* kPlateCases = R"(
 [[problem.loads.cases]]
 name = "stretch-x"
