@@ -7,6 +7,10 @@ namespace nodal {
 
 // An optimizer whose needs are declared never gets here: a study that lacks an ability is refused when it is read.
 
+Status Evaluator::held_out_errors(std::span<const double>, std::span<double> errors) {
+  if (!errors.empty()) throw std::logic_error("this problem holds nothing out");
+  return Status::ok;
+}
 Evaluation Evaluator::value_and_gradient(std::span<const double>, std::span<double>) {
   throw std::logic_error("this problem has no gradient");
 }

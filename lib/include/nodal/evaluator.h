@@ -54,6 +54,7 @@ struct Health {
   std::optional<double> cost_error;      ///< the refined cost is within this of the exact one at the same doubles
   std::optional<double> residual;        ///< backward error after refinement, ‖f − Ku‖/(‖f‖ + ‖|K||u|‖)
   std::optional<double> drift;           ///< largest relative_drift() of a cost that the race saw (agreement.h)
+  std::optional<double> data_cost;       ///< the part of the cost that is no prior's, where there is a prior
   std::int64_t refused = 0;              ///< evaluations that returned another status than ok or budget_spent
   std::vector<Finding> findings;         ///< what the problem says of its best point
 };
@@ -66,6 +67,10 @@ class Evaluator {
   virtual Evaluation value(std::span<const double> x) = 0;
   /// The cost at x as it is reported: refined as far as double precision goes; fills `health()`.
   virtual Evaluation audit(std::span<const double> x) { return value(x); }
+
+  /// [Problem::held_out] The relative errors at x of what is held out: 0 is perfect, 1 as bad as doing nothing. They
+  /// mean something when the status is ok. No part of `work()`, `health()` or the last point.
+  [[nodiscard]] virtual Status held_out_errors(std::span<const double> x, std::span<double> errors);
 
   virtual Evaluation value_and_gradient(std::span<const double> x, std::span<double> gradient);
   virtual Evaluation residuals(std::span<const double> x, std::span<double> residuals);

@@ -72,6 +72,10 @@ class Problem {
   [[nodiscard]] virtual std::optional<double> relative_error(double /*cost*/) const { return std::nullopt; }
   [[nodiscard]] virtual std::optional<KnownOptimum> known_optimum() const { return std::nullopt; }
 
+  /// What is held out: measured at points that an optimizer has found, never fitted. A name each, "bend-x"; none
+  /// ordinarily. Errors come from Evaluator::held_out_errors.
+  [[nodiscard]] virtual std::vector<std::string> held_out() const { return {}; }
+
   /// What `nodal explain` prints: stages in the order of the data flow, and remarks (sizes, limits, adjusted starts).
   [[nodiscard]] virtual std::vector<Stage> stages() const { return {}; }
   [[nodiscard]] virtual std::vector<std::string> remarks() const { return {}; }
