@@ -51,6 +51,7 @@ Meter::Meter(const Problem& problem, Evaluator& evaluator, std::span<const doubl
   if (start.size() != space_.size())
     throw std::invalid_argument("Meter: the start has the wrong number of coordinates");
   trace_.reserve(kTraceRoom);
+  if (!problem.held_out().empty()) kept_.begin(space_.size());
   start_ = evaluator_.value(start);
   if (start_.ok() && !std::isfinite(start_.cost)) start_.status = Status::invalid_input;
   keep_last_point(start, start_);
@@ -135,6 +136,9 @@ void Meter::improve(std::span<const double> x, double cost, std::size_t changed,
     std::ranges::copy(best_x_, confirmed_.x.begin());
     if (!trace_.empty()) confirmed_.point = trace_.back();
   }
+  const bool next_interval = kept_.due(counts_.evaluations);
+  if (next_interval && !trace_.empty()) [[unlikely]]
+    kept_.keep(trace_.back(), best_cost_, best_x_);
   best_priced_ = priced;
   best_cost_ = cost;
   best_evaluation_ = counts_.evaluations;
@@ -143,6 +147,8 @@ void Meter::improve(std::span<const double> x, double cost, std::size_t changed,
   if (trace_.size() == kTraceRoom) thin_trace(trace_, kTraceKept);
   const double quality = problem_.quality(cost);
   trace_.push_back({counts_.evaluations, seconds, evaluator_.work().factorizations, quality});
+  if (next_interval) [[unlikely]]
+    kept_.moved_to(counts_.evaluations);
   if (quality <= target_quality_ && (confirm_best() || problem_.quality(best_cost_) <= target_quality_))
     stop_ = Stop::target;
 }

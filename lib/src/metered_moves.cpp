@@ -139,6 +139,8 @@ void Meter::take_back(const Evaluation& fresh) {
     best_evaluation_ = refuted.evaluation;
     trace_.push_back({refuted.evaluation, refuted.seconds, refuted.factorizations, problem_.quality(fresh.cost)});
   }
+  kept_.forget_after(confirmed_.evaluation);
+  kept_.moved_to(best_evaluation_);
   if (stop_ == Stop::target && !(has_best() && problem_.quality(best_cost_) <= target_quality_)) stop_ = Stop::none;
 }
 

@@ -112,6 +112,23 @@ void describe(Archive& archive, T& health) {
 }
 
 template <class Archive, class T>
+requires std::same_as<std::remove_const_t<T>, ValidatedStop>
+void describe(Archive& archive, T& stop) {
+  archive.field("evaluation", stop.evaluation);
+  archive.field("fitted_evaluation", stop.fitted_evaluation);
+  archive.field("fitted_quality", stop.fitted_quality);
+}
+
+template <class Archive, class T>
+requires std::same_as<std::remove_const_t<T>, UnseenRecord>
+void describe(Archive& archive, T& unseen) {
+  archive.field("names", unseen.names);
+  archive.field("points", unseen.points);
+  archive.unusual("failed", unseen.failed, std::int64_t{0});
+  archive.optional_table("stop", unseen.stop);
+}
+
+template <class Archive, class T>
 requires std::same_as<std::remove_const_t<T>, TrialRecord>
 void describe(Archive& archive, T& record,
               std::conditional_t<std::is_const_v<T>, const WorkAndUnit, WorkAndUnit>& work) {
@@ -137,6 +154,7 @@ void describe(Archive& archive, T& record,
   archive.optional_table("claimed", record.claimed);
   archive.optional_table("moves", record.moves);
   archive.table("health", record.health);
+  archive.optional_table("unseen", record.unseen);
 }
 
 std::string_view to_string(End end) noexcept { return kEndNames[static_cast<int>(end)]; }
@@ -165,6 +183,11 @@ TrialRecord parse_record(std::string_view line, const std::string& name) {
   WorkAndUnit work;
   Reader reader(value, "", name);
   describe(reader, record, work);
+  if (record.unseen)
+    for (const UnseenPoint& point : record.unseen->points)
+      if (point.errors.size() != record.unseen->names.size())
+        throw InputError(fmt::format("{}: not a trial's record: a point of 'unseen' has {} errors for {} names", name,
+                                     point.errors.size(), record.unseen->names.size()));
   record.reason = beginning(record.reason, kMostOfAReason);  // those of older builds are whole
   record.work = work.work;
   record.flops_per_value = work.flops_per_value;

@@ -67,6 +67,16 @@ class Writer {
       list.emplace_back(Value::List{Value(p.evaluation), Value(p.seconds), Value(p.factorizations), Value(p.quality)});
     return Value(std::move(list));
   }
+  static Value pack(const std::vector<std::string>& texts) { return Value(Value::List(texts.begin(), texts.end())); }
+  static Value pack(const std::vector<UnseenPoint>& points) {
+    Value::List list;
+    for (const UnseenPoint& p : points) {
+      Value::List entry{Value(p.at.evaluation), Value(p.at.seconds), Value(p.at.factorizations), Value(p.at.quality)};
+      entry.insert(entry.end(), p.errors.begin(), p.errors.end());
+      list.emplace_back(std::move(entry));
+    }
+    return Value(std::move(list));
+  }
   static Value pack(const std::vector<MovesChoice>& choices) {
     Value::List list;
     for (const MovesChoice& c : choices)
@@ -157,15 +167,39 @@ class Reader {
       if (!item.is_number()) fail(key, "holds something else than numbers");
     value = found.numbers();
   }
+  void unpack(const char* key, const Value& found, std::vector<std::string>& value) const {
+    if (!found.is_list()) fail(key, "is not a list");
+    for (const Value& item : found.list()) {
+      if (!item.is_text()) fail(key, "holds something else than texts");
+      value.push_back(item.text());
+    }
+  }
+  // The first entries of a list.
+  std::optional<TracePoint> trace_point(const Value& item) const {
+    if (!item.is_list() || item.list().size() < 4) return std::nullopt;
+    const Value::List& p = item.list();
+    if (!p[0].is_integer() || !p[1].is_number() || !p[2].is_integer() || !p[3].is_number()) return std::nullopt;
+    return TracePoint{p[0].integer(), p[1].number(), p[2].integer(), p[3].number()};
+  }
   void unpack(const char* key, const Value& found, std::vector<TracePoint>& value) const {
     if (!found.is_list()) fail(key, "is not a list");
     for (const Value& item : found.list()) {
-      const bool four = item.is_list() && item.list().size() == 4;
-      if (!four || !item.list()[0].is_integer() || !item.list()[1].is_number() || !item.list()[2].is_integer() ||
-          !item.list()[3].is_number())
+      const std::optional<TracePoint> point = trace_point(item);
+      if (!point || item.list().size() != 4)
         fail(key, "holds something else than [evaluation, seconds, factorizations, quality]");
-      const Value::List& p = item.list();
-      value.push_back({p[0].integer(), p[1].number(), p[2].integer(), p[3].number()});
+      value.push_back(*point);
+    }
+  }
+  void unpack(const char* key, const Value& found, std::vector<UnseenPoint>& value) const {
+    if (!found.is_list()) fail(key, "is not a list");
+    for (const Value& item : found.list()) {
+      const std::optional<TracePoint> point = trace_point(item);
+      if (!point) fail(key, "holds something else than [evaluation, seconds, factorizations, quality, errors …]");
+      UnseenPoint& read = value.emplace_back(UnseenPoint{*point, {}});
+      for (std::size_t i = 4; i < item.list().size(); ++i) {
+        if (!item.list()[i].is_number()) fail(key, "holds an error that is not a number");
+        read.errors.push_back(item.list()[i].number());
+      }
     }
   }
 

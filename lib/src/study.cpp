@@ -11,6 +11,7 @@
 #include <nodal/file.h>
 #include <nodal/shown.h>
 #include <nodal/toml.h>
+#include <nodal/unseen.h>
 
 #include "optimizer_choice.h"
 #include "rerun.h"
@@ -47,6 +48,7 @@ class StudyReader {
     keep_only();
     check_needs();
     check_target();
+    check_stop();
     return std::move(study_);
   }
 
@@ -114,6 +116,10 @@ class StudyReader {
     if (options.has("target_gap")) {
       study_.budget.target_gap = options.number("target_gap");
       target_source_ = options.at("target_gap").source;
+    }
+    if (options.has("stop")) {
+      study_.budget.validated = true;
+      stop_source_ = options.at("stop").source;
     }
     if (overrides_.seconds) study_.budget.seconds = overrides_.seconds;
     if (overrides_.evaluations) study_.budget.evaluations = overrides_.evaluations;
@@ -300,12 +306,20 @@ class StudyReader {
                                      shown(problem.label)));
   }
 
+  void check_stop() const {
+    if (!study_.budget.validated) return;
+    for (const StudyProblem& problem : study_.problems)
+      if (const std::string refusal = validated_stop_refusal(*problem.problem); !refusal.empty())
+        throw InputError(stop_source_,
+                         fmt::format("stop = \"unseen\": of problem '{}' {}", shown(problem.label), refusal));
+  }
+
   std::string file_;
   const Registry& registry_;
   const StudyOverrides& overrides_;
   Value root_;
   Study study_;
-  Source target_source_;
+  Source target_source_, stop_source_;
   Labels problem_labels_, optimizer_labels_;
 };
 

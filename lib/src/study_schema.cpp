@@ -45,6 +45,12 @@ OptionSchema budget_schema() {
        .minimum_excluded = true,
        .maximum_excluded = true,
        .help = "stop at (G − G*)/(G_start − G*) ≤ this; needs a best known quality"},
+      {.name = "stop",
+       .type = OptionType::text,
+       .default_text = "none: the best point of the race is reported",
+       .choices = {"unseen"},
+       .help = "unseen: of the points on the way the one is reported that does best on every second thing that is held "
+               "out; the others say how good it is"},
   };
 }
 

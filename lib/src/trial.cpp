@@ -14,6 +14,7 @@
 #include "known_quality.h"
 #include "multi_start.h"
 #include "trial_audit.h"
+#include "trial_unseen.h"
 
 namespace nodal {
 
@@ -80,16 +81,20 @@ class Run {
 
     record_.work = evaluator->work();
     note_end(meter, outcome);
+    TrialUnseen unseen(problem_, *evaluator, meter, record_);
+    const double unseen_began = since(), unseen_cpu_began = processor_seconds();
+    unseen.measure();
+    const double unseen_seconds = since() - unseen_began, unseen_cpu = processor_seconds() - unseen_cpu_began;
     TrialAudit audit(problem_, *evaluator, meter, record_);
     audit.note_start(start);
-    audit.note_best();
+    audit.note_best(study_.budget.validated ? unseen.choose() : std::nullopt);
     note_claim(meter, outcome);
     const double search_seconds = search_ended - search_began;
-    record_.seconds.total = since();
+    record_.seconds.total = since() - unseen_seconds;
     record_.seconds.evaluation = std::min(meter.evaluation_seconds(), search_seconds);
     record_.seconds.optimizer = search_seconds - record_.seconds.evaluation;
     record_.seconds.harness = record_.seconds.total - search_seconds;
-    record_.seconds.cpu = std::max(0.0, processor_seconds() - cpu_began);
+    record_.seconds.cpu = std::max(0.0, processor_seconds() - cpu_began - unseen_cpu);
   }
 
  private:
@@ -219,6 +224,7 @@ std::string trial_key(const Study& study, const Trial& trial) {
     budget.set("target_gap", *study.budget.target_gap);
     budget.set("best_known", problem.best_known->quality);
   }
+  if (study.budget.validated) budget.set("stop", "unseen");
   Value content;
   content.set("schema", kRecordSchema);
   content.set("kind", problem.kind);

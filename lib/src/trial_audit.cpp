@@ -67,7 +67,7 @@ void TrialAudit::note_start(std::span<const double> x) {
     trace.front().quality = *record_.start.quality;
 }
 
-void TrialAudit::note_best() {
+void TrialAudit::note_best(const std::optional<KeptPoint>& chosen) {
   if (const std::optional<OutsidePoint>& outside = meter_.outside()) {
     const Space& space = problem_.space();
     fail(fmt::format("a better point, at evaluation {}, lies outside the box: {} = {} is not within [{}, {}]",
@@ -79,9 +79,10 @@ void TrialAudit::note_best() {
     fail("no point had a finite cost");
     return;
   }
-  const std::vector<double> x(meter_.best_point().begin(), meter_.best_point().end());
+  const KeptPoint best = chosen ? *chosen : meter_.best();
+  const std::vector<double>& x = best.x;
   if (!problem_.space().contains(x)) fail("the best point lies outside the box");
-  const Evaluation seen{Status::ok, meter_.best_cost()};
+  const Evaluation seen{Status::ok, best.cost};
   const Evaluation audited = audit(x, "the best point");
   record_.health = evaluator_.health();
   record_.health.refused = meter_.failed_evaluations();
@@ -93,9 +94,11 @@ void TrialAudit::note_best() {
       fail(fmt::format("the race saw a cost of {:.6g} at the best point, a fresh evaluation says {:.6g}", seen.cost,
                        audited.cost));
   }
-  record_.best = BestPoint{meter_.best_evaluation(), summarize(audited.ok() ? audited : seen, "the best point"), x,
+  record_.best = BestPoint{best.at.evaluation, summarize(audited.ok() ? audited : seen, "the best point"), x,
                            static_cast<std::int64_t>(problem_.space().at_bounds(x))};
-  if (!meter_.trace().empty()) record_.seconds.to_best = meter_.trace().back().seconds;
+  record_.seconds.to_best = best.at.seconds;
+  const UnseenPoint* unseen = record_.unseen ? record_.unseen->at(best.at.evaluation) : nullptr;
+  if (unseen) record_.health.findings.push_back({kUnseenFinding, record_.unseen->error(*unseen)});
 }
 
 }  // namespace nodal

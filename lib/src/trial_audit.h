@@ -4,6 +4,7 @@
 /// What is reported of a trial's start and best point: from fresh, refined evaluations after the search, so that both
 /// are measured alike, whatever the race saw. What doesn't hold fails the trial, and its reason says so.
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -19,8 +20,9 @@ class TrialAudit {
 
   /// Fills `start`, and the start's quality in the trace.
   void note_start(std::span<const double> x);
-  /// Fills `best` and `health`. Call it last: the evaluator's health is of its last audit.
-  void note_best();
+  /// Fills `best` and `health`, of the meter's best point, or of another one that was chosen. Call it last: the
+  /// evaluator's health is of its last audit.
+  void note_best(const std::optional<KeptPoint>& chosen = std::nullopt);
 
  private:
   void fail(const std::string& what);

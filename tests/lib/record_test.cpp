@@ -49,9 +49,9 @@ TEST(Record, IsOneLineWithTheFieldsInTheirOrder) {
   const Value value = full_value();
   for (const auto& [key, part] : value.table()) keys.push_back(key);
   EXPECT_EQ(keys,
-            (std::vector<std::string>{"schema", "key",     "attempt",    "problem", "optimizer", "use",   "repeat",
-                                      "seed",   "end",     "reason",     "options", "start",     "best",  "counts",
-                                      "work",   "seconds", "conditions", "trace",   "claimed",   "health"}));
+            (std::vector<std::string>{"schema", "key",     "attempt",    "problem", "optimizer", "use",    "repeat",
+                                      "seed",   "end",     "reason",     "options", "start",     "best",   "counts",
+                                      "work",   "seconds", "conditions", "trace",   "claimed",   "health", "unseen"}));
 }
 
 TEST(Record, SurvivesTheRoundTripWhenFull) {
@@ -231,6 +231,14 @@ TEST(Contamination, IsSharingCoresAndBeingStoppedToo) {
             "was stopped while it ran; 3 jobs shared 2 cores; another comparison ran beside it");
   EXPECT_EQ(contamination(with_times(1.0, 0.25, Conditions{"b", "p", 1, 2, false, true})),
             "was stopped while it ran; got 0.25 of a core");
+}
+
+TEST(Record, HasAnErrorForEveryNameOfItsUnseenPoints) {
+  EXPECT_NE(refusal_with("unseen.names", Value(Value::List{Value("bend-x")})).find("2 errors for 1 name"),
+            std::string::npos);
+  EXPECT_NE(
+      refusal_with("unseen.points", Value(Value::List{Value(Value::List{Value(1), Value(2.0)})})).find("unseen.points"),
+      std::string::npos);
 }
 
 TEST(Record, NamesEveryEnd) {

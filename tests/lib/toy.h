@@ -6,6 +6,9 @@
 #include <cmath>
 #include <functional>
 #include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include <nodal/problem.h>
 
@@ -13,6 +16,13 @@ namespace nodal::toy {
 
 /// What the cost is, given x: replace it to throw, to be flat, slow or not a number.
 using Cost = std::function<double(std::span<const double>)>;
+
+/// Something held out, and its error at x.
+struct HeldOut {
+  std::string name;
+  Cost error;
+  Status status = Status::ok;
+};
 
 inline double bowl(std::span<const double> x) {
   double sum = 0.0;
@@ -23,7 +33,8 @@ inline double bowl(std::span<const double> x) {
 
 class ToyProblem final : public Problem {
  public:
-  explicit ToyProblem(std::size_t n = 3, Cost cost = bowl) : cost_(std::move(cost)) {
+  explicit ToyProblem(std::size_t n = 3, Cost cost = bowl, std::vector<HeldOut> held_out = {})
+      : cost_(std::move(cost)), held_out_(std::move(held_out)) {
     std::vector<Coordinate> coordinates;
     for (std::size_t i = 0; i < n; ++i) coordinates.push_back({"x" + std::to_string(i), -2.0, 3.0, -1.5});
     space_ = Space(coordinates);
@@ -36,15 +47,30 @@ class ToyProblem final : public Problem {
     return KnownOptimum{0.0, "by construction", {}};
   }
   [[nodiscard]] std::unique_ptr<Evaluator> make_evaluator() const override;
+  [[nodiscard]] std::vector<std::string> held_out() const override {
+    std::vector<std::string> names;
+    for (const HeldOut& one : held_out_) names.push_back(one.name);
+    return names;
+  }
 
  private:
   Space space_;
   Cost cost_;
+  std::vector<HeldOut> held_out_;
 };
 
 class ToyEvaluator final : public Evaluator {
  public:
-  explicit ToyEvaluator(Cost cost) : cost_(std::move(cost)) {}
+  explicit ToyEvaluator(Cost cost, std::vector<HeldOut> held_out = {})
+      : cost_(std::move(cost)), held_out_(std::move(held_out)) {}
+
+  [[nodiscard]] Status held_out_errors(std::span<const double> x, std::span<double> errors) override {
+    for (std::size_t i = 0; i < errors.size(); ++i) {
+      errors[i] = held_out_[i].error(x);
+      if (held_out_[i].status != Status::ok) return held_out_[i].status;
+    }
+    return Status::ok;
+  }
 
   Evaluation value(std::span<const double> x) override {
     ++work_.factorizations;
@@ -78,10 +104,13 @@ class ToyEvaluator final : public Evaluator {
 
  private:
   Cost cost_;
+  std::vector<HeldOut> held_out_;
   Work work_;
   std::vector<double> last_;
 };
 
-inline std::unique_ptr<Evaluator> ToyProblem::make_evaluator() const { return std::make_unique<ToyEvaluator>(cost_); }
+inline std::unique_ptr<Evaluator> ToyProblem::make_evaluator() const {
+  return std::make_unique<ToyEvaluator>(cost_, held_out_);
+}
 
 }  // namespace nodal::toy

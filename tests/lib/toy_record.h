@@ -33,6 +33,10 @@ inline TrialRecord full_record() {
   r.trace = {{0, 1e-6, 1, 3.5}, {41, 0.4, 40, 0.2}};
   r.claimed = ClaimRecord{0.1, true, 44, "XTOL_REACHED"};
   r.health = {1e-12, 5e-17, 2e-16, 3e-10, 2, {{"spread", 1e4}}};
+  r.unseen = UnseenRecord{{"bend-x", "bend-y"},
+                          {{{0, 1e-6, 1, 3.5}, {0.5, 0.25}}, {{41, 0.4, 40, 0.2}, {1e-3, 2.5}}},
+                          1,
+                          ValidatedStop{41, 77, 0.125}};
   return r;
 }
 
@@ -97,6 +101,21 @@ inline void expect_equal(const Health& a, const Health& b) {
   }
 }
 
+inline void expect_equal(const UnseenRecord& a, const UnseenRecord& b) {
+  EXPECT_EQ(a.names, b.names);
+  ASSERT_EQ(a.points.size(), b.points.size());
+  for (std::size_t i = 0; i < a.points.size(); ++i) {
+    expect_equal(std::vector{a.points[i].at}, std::vector{b.points[i].at});
+    EXPECT_EQ(a.points[i].errors, b.points[i].errors);
+  }
+  EXPECT_EQ(a.failed, b.failed);
+  ASSERT_EQ(a.stop.has_value(), b.stop.has_value());
+  if (!a.stop) return;
+  EXPECT_EQ(a.stop->evaluation, b.stop->evaluation);
+  EXPECT_EQ(a.stop->fitted_evaluation, b.stop->fitted_evaluation);
+  EXPECT_EQ(a.stop->fitted_quality, b.stop->fitted_quality);
+}
+
 /// Field by field, so that what differs is named.
 inline void expect_equal(const TrialRecord& a, const TrialRecord& b) {
   EXPECT_EQ(a.schema, b.schema);
@@ -133,6 +152,8 @@ inline void expect_equal(const TrialRecord& a, const TrialRecord& b) {
     EXPECT_EQ(a.claimed->status, b.claimed->status);
   }
   expect_equal(a.health, b.health);
+  ASSERT_EQ(a.unseen.has_value(), b.unseen.has_value());
+  if (a.unseen) expect_equal(*a.unseen, *b.unseen);
 }
 
 }  // namespace nodal::toy

@@ -54,9 +54,9 @@ struct Health {
   std::optional<double> cost_error;      ///< the refined cost is within this of the exact one at the same doubles
   std::optional<double> residual;        ///< backward error after refinement, ‖f − Ku‖/(‖f‖ + ‖|K||u|‖)
   std::optional<double> drift;           ///< largest relative_drift() of a cost that the race saw (agreement.h)
-  std::optional<double> data_cost;       ///< the part of the cost that is no prior's, where there is a prior
   std::int64_t refused = 0;              ///< evaluations that returned another status than ok or budget_spent
   std::vector<Finding> findings;         ///< what the problem says of its best point
+  std::optional<double> data_cost = {};  ///< the part of the cost that is no prior's, where there is a prior
 };
 
 class Evaluator {

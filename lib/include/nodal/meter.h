@@ -30,6 +30,7 @@
 #include <vector>
 
 #include <nodal/evaluator.h>
+#include <nodal/kept_points.h>
 #include <nodal/problem.h>
 
 namespace nodal {
@@ -52,14 +53,6 @@ struct Counts {
   std::int64_t proposed = 0;
   std::int64_t accepted = 0;
   std::int64_t refused = 0;  ///< calls after the budget: nothing was evaluated
-};
-
-/// An improvement of the best point.
-struct TracePoint {
-  std::int64_t evaluation = 0;  ///< 0 is the start
-  double seconds = 0.0;
-  std::int64_t factorizations = 0;
-  double quality = 0.0;
 };
 
 /// A cost that would have been the best, at a point outside the box.
@@ -137,6 +130,8 @@ class Meter {
   [[nodiscard]] double best_cost() const noexcept { return best_cost_; }
   [[nodiscard]] std::span<const double> best_point() const noexcept { return best_x_; }
   [[nodiscard]] std::int64_t best_evaluation() const noexcept { return best_evaluation_; }
+  /// The best point as one of those kept. There must be one.
+  [[nodiscard]] KeptPoint best() const { return {trace_.back(), best_cost_, best_x_}; }
   [[nodiscard]] Stop stop() const noexcept { return stop_; }
   [[nodiscard]] const Counts& counts() const noexcept { return counts_; }
   /// Evaluations that returned another status than ok.
@@ -149,6 +144,8 @@ class Meter {
   /// What the walk says of itself, when there was one and it has something to say.
   [[nodiscard]] std::optional<MovesReport> moves_report() const;
   [[nodiscard]] const std::vector<TracePoint>& trace() const noexcept { return trace_; }
+  /// Best points before the last, where the problem holds something out: to be looked at after the trial.
+  [[nodiscard]] const std::vector<KeptPoint>& kept() const noexcept { return kept_.points(); }
   /// Wall time in the problem, estimated: evaluations and accepted moves from the sampled ones, the rest in full.
   [[nodiscard]] double evaluation_seconds() const noexcept { return evaluation_seconds_; }
   [[nodiscard]] double seconds_now() const noexcept;
@@ -205,6 +202,7 @@ class Meter {
   std::int64_t best_evaluation_ = -1;
   bool best_priced_ = false;  // and not confirmed by a full evaluation
   std::vector<TracePoint> trace_;
+  KeptPoints kept_;
   std::optional<OutsidePoint> outside_;
   std::exception_ptr start_thrown_;  // by the problem's quality
 

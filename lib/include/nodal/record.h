@@ -11,6 +11,7 @@
 
 #include <nodal/error.h>
 #include <nodal/meter.h>
+#include <nodal/unseen.h>
 #include <nodal/value.h>
 
 namespace nodal {
@@ -37,6 +38,7 @@ struct PointSummary {
   std::optional<double> cost, quality, relative_error;
 };
 
+/// Of the points that were seen: the best, or under a validated stop the one that it chose.
 struct BestPoint {
   std::int64_t evaluation = 0;
   PointSummary summary;  ///< of a fresh, refined evaluation at x
@@ -93,6 +95,7 @@ struct TrialRecord {
   std::optional<ClaimRecord> claimed;
   std::optional<MovesReport> moves;  ///< how single changes were priced; its drift stands in `health`
   Health health;
+  std::optional<UnseenRecord> unseen;  ///< of problems that hold something out; older records lack it
 };
 
 /// A trial that got less of a processor core than this was disturbed, [1], unless it was so short that the clock can't

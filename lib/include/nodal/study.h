@@ -24,6 +24,9 @@ struct Budget {
   std::optional<double> seconds;  ///< wall time per trial [s]
   std::optional<std::int64_t> evaluations;
   std::optional<double> target_gap;  ///< stop when (G − G*)/(G_start − G*) ≤ this; needs a best known quality
+  /// A validated stop (unseen.h): what is held out chooses the point that is reported. Each problem holds out two
+  /// things at least.
+  bool validated = false;
 };
 
 struct StudyProblem {

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+/// Evaluates what a problem holds out at the points that the meter kept, after the race.
+
+#include <optional>
+#include <string>
+
+#include <nodal/meter.h>
+#include <nodal/record.h>
+
+namespace nodal {
+
+class TrialUnseen {
+ public:
+  /// `record` has the race's work already: what is evaluated here takes a tenth of it at most, or some seconds.
+  TrialUnseen(const Problem& problem, Evaluator& evaluator, const Meter& meter, TrialRecord& record);
+
+  /// Fills `unseen` of a problem that holds something out. A problem that throws, or whose errors are no numbers, fails
+  /// the trial, and its reason says so.
+  void measure();
+  /// Under a validated stop: the point to be reported, chosen by every second of what is held out. The trace then ends
+  /// there, as if the race had. Without errors to choose by: nothing.
+  std::optional<KeptPoint> choose();
+
+ private:
+  void fail(const std::string& what);
+  [[nodiscard]] std::size_t most_points() const;
+  void measure_at(const KeptPoint& point);
+
+  const Problem& problem_;
+  Evaluator& evaluator_;
+  const Meter& meter_;
+  TrialRecord& record_;
+  std::vector<KeptPoint> points_;  // as the record's
+};
+
+}  // namespace nodal
