@@ -27,6 +27,7 @@ struct EvaluateArguments {
 
 struct FitArguments {
   std::string study, problem, with, out, picture;
+  bool validate = false;  ///< a validated stop, whatever the study says
   bool prune = false;
   double prune_loss = 0.01;  ///< how much larger the error may become by it, as a share
   StudyOverrides overrides;

@@ -19,6 +19,7 @@
 #include "output_file.h"
 #include "progress.h"
 #include "study_problem.h"
+#include "unseen_text.h"
 
 namespace nodal {
 
@@ -74,6 +75,9 @@ void say_result(const TrialRecord& record, const StudyProblem& entry, const Regi
   std::cerr << fmt::format("{}{}; {}\n", ending_text(record, *entry.problem, registry),
                            findings_text(record.health.findings, registry.find_problem(entry.kind)->findings),
                            at_bounds_text(entry.problem->space(), record.best->x));
+  for (const std::string& line : unseen_lines(record)) std::cerr << line << '\n';
+  if (const std::string warning = unseen_warning(record); !warning.empty())
+    std::cerr << fmt::format("note: {}; what helps: --validate, a prior, tighter bounds, more loads to fit\n", warning);
 }
 
 void write_fitted(const FitArguments& arguments, const std::string& text) {
@@ -161,6 +165,9 @@ int fit_command(const FitArguments& arguments, const Registry& registry) {
   const std::shared_ptr<const Exhibit> exhibit = exhibit_of(*entry.problem);
   const ExportFormat format = refuse_outputs(arguments, entry.label, *exhibit);
   study.optimizers = {method.optimizer};
+  if (arguments.validate) study.budget.validated = true;
+  if (const std::string refusal = validated_stop_refusal(*entry.problem); study.budget.validated && !refusal.empty())
+    throw InputError(Source{"--validate", 0}, fmt::format("of problem '{}' {}", entry.label, refusal));
   say_plan(entry, method, choose_budget(study, arguments.overrides), *exhibit);
 
   const TrialRecord record = run_shown(study, index, registry);

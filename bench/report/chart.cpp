@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <nodal/show/html.h>
 #include <nodal/show/number_text.h>
@@ -71,13 +72,22 @@ Value series_value(const OptimizerCurves& curves, std::span<const Axis> axes, co
   return value;
 }
 
-Value chart_value(const ProblemReport& problem, std::span<const Axis> axes) {
-  Value value, names = Value::List{}, series = Value::List{};
-  for (const Axis axis : axes) names.list().push_back(to_string(axis));
-  for (const OptimizerCurves& curves : problem.curves)
-    series.list().push_back(series_value(curves, axes, problem.table));
+Value series_list(const std::vector<OptimizerCurves>& curves, std::span<const Axis> axes, const ProblemTable& table) {
+  Value::List series;
+  for (const OptimizerCurves& one : curves) series.push_back(series_value(one, axes, table));
+  return Value(std::move(series));
+}
+
+Value axes_list(std::span<const Axis> axes) {
+  Value::List names;
+  for (const Axis axis : axes) names.emplace_back(to_string(axis));
+  return Value(std::move(names));
+}
+
+Value race_value(const ProblemReport& problem, std::span<const Axis> axes) {
+  Value value;
   const ProblemReference& reference = problem.table.reference;
-  value.set("axes", names);
+  value.set("axes", axes_list(axes));
   if (sane(reference.best_quality)) value.set("best", reference.best_quality);
   value.set("provisional", reference.provisional);
   value.set("quality", problem.quality_name);
@@ -86,39 +96,71 @@ Value chart_value(const ProblemReport& problem, std::span<const Axis> axes) {
   if (const auto& start = problem.table.start_quality; start && sane(*start) && has_gaps) value.set("start", *start);
   if (problem.error_per_quality && sane(*problem.error_per_quality))
     value.set("errorPerQuality", *problem.error_per_quality);
-  value.set("series", series);
+  value.set("series", series_list(problem.curves, axes, problem.table));
   return value;
 }
 
-std::string radio(std::size_t index, const char* group, const char* value, const char* label, bool checked) {
-  return fmt::format(R"(<label><input type="radio" name="{0}-{1}" data-{0}="{2}"{4}> {3}</label>)", group, index, value,
-                     label, checked ? " checked" : "");
+Value unseen_value(const ProblemReport& problem, std::span<const Axis> axes) {
+  Value value;
+  value.set("axes", axes_list(axes));
+  value.set("title", "unseen error");
+  value.set("series", series_list(problem.unseen_curves, axes, problem.table));
+  return value;
 }
 
-std::string controls(const ProblemReport& problem, std::size_t index, std::span<const Axis> axes) {
-  std::string text = R"(<div class="controls"><fieldset><legend>Against</legend>)";
+std::string radio(const char* chart, std::size_t index, const char* group, const char* value, const char* label,
+                  bool checked) {
+  return fmt::format(R"(<label><input type="radio" name="{}-{}-{}" data-{}="{}"{}> {}</label>)", chart, index, group,
+                     group, value, checked ? " checked" : "", label);
+}
+
+std::string axis_controls(const char* chart, std::size_t index, std::span<const Axis> axes) {
+  std::string text = "<fieldset><legend>Against</legend>";
   for (const Axis axis : axes) {
     const char* label = axis == Axis::seconds ? "time" : axis == Axis::evaluations ? "evaluations" : "work";
-    text += radio(index, "axis", std::string(to_string(axis)).c_str(), label, axis == axes.front());
+    text += radio(chart, index, "axis", std::string(to_string(axis)).c_str(), label, axis == axes.front());
   }
-  text += "</fieldset><fieldset><legend>Show</legend>";
-  text += radio(index, "height", "error", problem.error_per_quality ? "relative error" : "quality", true);
-  text += radio(index, "height", "gap", ("gap to " + problem.quality_name + "*").c_str(), false);
-  return text + "</fieldset></div>\n";
+  return text + "</fieldset>";
+}
+
+std::string height_controls(const ProblemReport& problem, const char* chart, std::size_t index) {
+  return "<fieldset><legend>Show</legend>" +
+         radio(chart, index, "height", "error", problem.error_per_quality ? "relative error" : "quality", true) +
+         radio(chart, index, "height", "gap", ("gap to " + problem.quality_name + "*").c_str(), false) + "</fieldset>";
+}
+
+std::string figure_html(const char* chart, std::size_t index, const std::string& controls, const std::string& caption,
+                        const Value& data) {
+  return fmt::format(
+      "<figure class=\"race\" id=\"{}-{}\">\n<div class=\"controls\">{}</div>\n<div class=\"chart\"></div>\n"
+      "<div class=\"keys\" role=\"group\" aria-label=\"Optimizers shown\"></div>\n<figcaption>{} Choose an optimizer "
+      "below the chart to hide or show its line.</figcaption>\n<script type=\"application/json\" "
+      "class=\"race-data\">{}</script>\n</figure>\n",
+      chart, index, controls, escape_html(caption), escape_script(to_json(data)));
+}
+
+std::span<const Axis> axes_of(const ProblemReport& problem) {
+  return std::span(kAxes).first(work_is_evaluations(problem.curves) ? 2 : 3);
 }
 
 }  // namespace
 
 std::string chart_html(const ProblemReport& problem, std::size_t index) {
   if (problem.curves.empty()) return {};
-  const std::span axes = std::span(kAxes).first(work_is_evaluations(problem.curves) ? 2 : 3);
-  return fmt::format(
-      "<figure class=\"race\" id=\"race-{0}\">\n{1}<div class=\"chart\"></div>\n<div class=\"keys\" role=\"group\" "
-      "aria-label=\"Optimizers shown\"></div>\n<figcaption>Median over trials; the band holds the middle half of them. "
-      "Choose an optimizer below the "
-      "chart to hide or show its line.</figcaption>\n<script type=\"application/json\" "
-      "class=\"race-data\">{2}</script>\n</figure>\n",
-      index, controls(problem, index, axes), escape_script(to_json(chart_value(problem, axes))));
+  const std::span<const Axis> axes = axes_of(problem);
+  return figure_html("race", index, axis_controls("race", index, axes) + height_controls(problem, "race", index),
+                     "Median over trials; the band holds the middle half of them.", race_value(problem, axes));
+}
+
+std::string unseen_chart_html(const ProblemReport& problem, std::size_t index) {
+  if (problem.unseen_curves.empty() || !problem.table.unseen) return {};
+  const std::span<const Axis> axes = axes_of(problem);
+  return "<h3>Under loads never fitted</h3>\n" +
+         figure_html("unseen", index, axis_controls("unseen", index, axes),
+                     fmt::format("Unseen error of the best point so far: root mean square of the relative errors under "
+                                 "{}, which no optimizer sees. Median over trials; the band holds the middle half.",
+                                 fmt::join(problem.table.unseen->reported, ", ")),
+                     unseen_value(problem, axes));
 }
 
 }  // namespace nodal::report

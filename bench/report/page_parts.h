@@ -14,6 +14,8 @@ namespace nodal::report {
 [[nodiscard]] std::string table_html(const ProblemReport& problem);
 /// The chart of one problem: its data as JSON, and the empty element that report.js draws into. Empty without curves.
 [[nodiscard]] std::string chart_html(const ProblemReport& problem, std::size_t index);
+/// The chart of its unseen errors. Empty where nothing is held out.
+[[nodiscard]] std::string unseen_chart_html(const ProblemReport& problem, std::size_t index);
 
 /// Files that the build has put into the program. charts_js comes before every other script but Vega.
 [[nodiscard]] std::string_view report_css();

@@ -54,7 +54,7 @@
     const factor = data.errorPerQuality ?? 1;
     const list = {
       error: {
-        title: data.errorPerQuality === undefined ? "quality" : "relative error",
+        title: data.title ?? (data.errorPerQuality === undefined ? "quality" : "relative error"),
         of: (quality) => quality * factor,
         floor: 1e-16,
         rule: data.best !== undefined && data.best * factor > 1e-150 ? Math.min(LARGEST, data.best * factor) : null,

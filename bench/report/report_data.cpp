@@ -174,11 +174,18 @@ std::optional<BestOfAll> best_of(std::span<const TrialRecord* const> records) {
   return best;
 }
 
-OptimizerCurves curves_of(const std::string& optimizer, std::span<const TrialRecord* const> trials) {
+template <class MakeCurve>
+OptimizerCurves curves_of(const std::string& optimizer, MakeCurve make) {
   OptimizerCurves curves{optimizer, {}};
   for (const Axis axis : {Axis::seconds, Axis::evaluations, Axis::work})
-    curves.by_axis[static_cast<std::size_t>(axis)] = make_curve(trials, axis);
+    curves.by_axis[static_cast<std::size_t>(axis)] = make(axis);
   return curves;
+}
+
+void add_curves(const std::string& optimizer, std::span<const TrialRecord* const> trials, ProblemReport& report) {
+  report.curves.push_back(curves_of(optimizer, [&](Axis axis) { return make_curve(trials, axis); }));
+  OptimizerCurves unseen = curves_of(optimizer, [&](Axis axis) { return make_unseen_curve(trials, axis); });
+  if (!unseen.by_axis[0].empty()) report.unseen_curves.push_back(std::move(unseen));
 }
 
 // What the kind says of its findings; of others that rows have, their names.
@@ -214,7 +221,7 @@ ProblemReport make_problem(const NamedProblem& named, const Collection& all, con
     std::vector<const TrialRecord*> trials;
     for (const TrialRecord* record : records)
       if (record->optimizer == optimizer.label && !record->trace.empty()) trials.push_back(record);
-    if (!trials.empty()) report.curves.push_back(curves_of(optimizer.label, trials));
+    if (!trials.empty()) add_curves(optimizer.label, trials, report);
   }
   return report;
 }

@@ -20,7 +20,7 @@
 
 namespace nodal::report {
 
-/// Best quality so far of one optimizer, over each axis.
+/// Best quality so far of one optimizer, or its unseen error there, over each axis.
 struct OptimizerCurves {
   std::string optimizer;
   std::array<std::vector<CurvePoint>, 3> by_axis;  ///< by Axis
@@ -44,6 +44,7 @@ struct ProblemReport {
   std::optional<double>
       error_per_quality;                ///< relative error / quality where that is one constant: curves hold quality
   std::vector<OptimizerCurves> curves;  ///< in the table's order; optimizers without a point are left out
+  std::vector<OptimizerCurves> unseen_curves;  ///< the same of unseen errors
   std::optional<BestOfAll> best;
   ReportPart details;            ///< of how it was made; empty where the manifests say nothing
   std::string fingerprint = {};  ///< of the files it was read from (StudyProblem), as the stores have it

@@ -8,8 +8,10 @@
 #include <tuple>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <nodal/show/number_text.h>
+#include <nodal/unseen.h>
 
 namespace nodal::report {
 
@@ -116,30 +118,76 @@ void add_bounds(std::vector<Filler>& fillers) {
                      [](const OptimizerRow& r) { return or_dash(r.at_bounds, count_text); }});
 }
 
+Filler finding_filler(const std::string& name, Column column) {
+  return {std::move(column), [name](const OptimizerRow& r) {
+            const auto found = r.findings.find(name);
+            return found == r.findings.end() ? "–" : median_text(found->second);
+          }};
+}
+
+bool any_has(const ProblemReport& problem, const std::string& finding) {
+  return std::ranges::any_of(problem.table.rows,
+                             [&](const OptimizerRow& row) { return row.findings.contains(finding); });
+}
+
+// Beside the fitted error, which says little without it.
+void add_unseen(std::vector<Filler>& fillers, const ProblemReport& problem) {
+  if (any_has(problem, kUnseenFinding))
+    fillers.push_back(finding_filler(
+        kUnseenFinding, {"unseen", "error",
+                         "root mean square of the relative errors in what is held out: measured after a trial, never "
+                         "fitted; median"}));
+}
+
 void add_findings(std::vector<Filler>& fillers, const ProblemReport& problem) {
   for (const FindingDescription& finding : problem.findings)
-    if (finding.tabled)
-      fillers.push_back({{finding.title, finding.unit.empty() ? "median" : "[" + finding.unit + "]", finding.help,
-                          false, 5, finding.title},
-                         [name = finding.name](const OptimizerRow& r) {
-                           const auto found = r.findings.find(name);
-                           return found == r.findings.end() ? "–" : median_text(found->second);
-                         }});
+    if (finding.tabled && finding.name != kUnseenFinding && any_has(problem, finding.name))
+      fillers.push_back(
+          finding_filler(finding.name, {finding.title, finding.unit.empty() ? "median" : "[" + finding.unit + "]",
+                                        finding.help, false, 5, finding.title}));
 }
 
 // What marks in the table stand for.
-std::vector<std::string> notes_of(const std::vector<OptimizerRow>& rows) {
+std::optional<std::string> disturbed_note(const std::vector<OptimizerRow>& rows) {
   std::size_t disturbed = 0, trials = 0;
   for (const OptimizerRow& row : rows) {
     disturbed += row.contaminated;
     trials += row.trials;
   }
-  if (disturbed == 0) return {};
-  return {
-      fmt::format("{} {} of {} trials did not have a processor core to themselves: their times are too long, and those "
-                  "that the clock ended searched less than they could have. nodal compare --rerun contaminated runs "
-                  "them again.",
-                  kDisturbed, disturbed, trials)};
+  if (disturbed == 0) return std::nullopt;
+  return fmt::format(
+      "{} {} of {} trials did not have a processor core to themselves: their times are too long, and those that the "
+      "clock ended searched less than they could have. nodal compare --rerun contaminated runs them again.",
+      kDisturbed, disturbed, trials);
+}
+
+// Who is worse than the start where nothing was fitted, with the figures.
+std::optional<std::string> worse_unseen_note(const ProblemTable& table) {
+  if (!table.unseen || !table.unseen->start) return std::nullopt;
+  std::vector<std::string> worse;
+  for (const OptimizerRow& row : table.rows)
+    if (const auto found = row.findings.find(kUnseenFinding);
+        found != row.findings.end() && found->second.median > *table.unseen->start)
+      worse.push_back(fmt::format("{} {}", row.label, median_text(found->second)));
+  if (worse.empty()) return std::nullopt;
+  return fmt::format(
+      "Worse than their start under loads that were not fitted: {} (start {}). nodal explain says what "
+      "would determine the system.",
+      fmt::join(worse, ", "), figure_text(*table.unseen->start, kDigits));
+}
+
+std::optional<std::string> validated_note(const ProblemTable& table) {
+  if (!table.unseen || table.unseen->chosen_by.empty()) return std::nullopt;
+  return fmt::format("stop = \"unseen\": {} chose which point of a trial is reported; unseen errors are those of {}.",
+                     fmt::join(table.unseen->chosen_by, ", "), fmt::join(table.unseen->reported, ", "));
+}
+
+std::vector<std::string> notes_of(const ProblemTable& table) {
+  std::vector<std::string> notes;
+  for (std::optional<std::string>& note :
+       std::array{disturbed_note(table.rows), worse_unseen_note(table), validated_note(table)})
+    if (note) notes.push_back(std::move(*note));
+  return notes;
 }
 
 std::vector<const OptimizerRow*> best_first(const ProblemTable& table, bool has_error) {
@@ -165,6 +213,7 @@ Table make_text_table(const ProblemReport& problem) {
 
   std::vector<Filler> fillers = {{{"", "optimizer", "as the study labels it", true}, label_text}};
   add_errors(fillers, problem, has_error);
+  add_unseen(fillers, problem);
   add_costs(fillers, has_factorizations);
   if (std::ranges::any_of(all, [](const OptimizerRow& r) { return r.at_bounds && r.at_bounds->upper > 0.0; }))
     add_bounds(fillers);
@@ -181,7 +230,7 @@ Table make_text_table(const ProblemReport& problem) {
     for (const Filler& filler : fillers) cells.push_back(filler.cell(*row));
     table.optimizers.push_back(row->label);
   }
-  table.notes = notes_of(all);
+  table.notes = notes_of(problem.table);
   return table;
 }
 
@@ -194,7 +243,9 @@ std::string describe_reference(const ProblemReport& problem) {
   if (table.start_quality) {
     text = name + " at the start " + figure_text(*table.start_quality, kDigits);
     if (table.start_relative_error)
-      text += fmt::format(" (relative error {})", figure_text(*table.start_relative_error, kDigits));
+      text += fmt::format(
+          " (relative error {}{})", figure_text(*table.start_relative_error, kDigits),
+          table.unseen && table.unseen->start ? ", unseen " + figure_text(*table.unseen->start, kDigits) : "");
     if (table.start_is_best && reference.beaten)
       text += fmt::format(", not above the {}* that was given: every trial has reached each gap at its start", name);
     else if (table.start_is_best)

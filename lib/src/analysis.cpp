@@ -267,6 +267,28 @@ std::optional<double> first_reached(const TrialRecord& record, double quality, A
   return point ? std::optional(position(record, *point, axis)) : std::nullopt;
 }
 
+namespace {
+
+std::optional<UnseenSummary> summarize_unseen(const std::vector<const TrialRecord*>& trials) {
+  std::optional<UnseenSummary> summary;
+  for (const TrialRecord* trial : trials) {
+    if (!trial->unseen) continue;
+    const UnseenRecord& unseen = *trial->unseen;
+    if (!summary) {
+      summary.emplace();
+      for (std::size_t i = 0; i < unseen.names.size(); ++i)
+        (unseen.reports(i) ? summary->reported : summary->chosen_by).push_back(unseen.names[i]);
+    }
+    const UnseenPoint* start = trial->repeat == 0 ? unseen.at(0) : nullptr;
+    if (!start) continue;
+    summary->start = unseen.error(*start);
+    break;
+  }
+  return summary;
+}
+
+}  // namespace
+
 ProblemTable make_table(const std::string& problem_label, const std::optional<KnownOptimum>& best_known,
                         std::span<const RowRequest> optimizers, std::span<const TrialRecord> records) {
   std::vector<const TrialRecord*> trials;
@@ -282,6 +304,7 @@ ProblemTable make_table(const std::string& problem_label, const std::optional<Kn
       table.start_is_best = starts_at_best(trial->start, table.reference);
       break;
     }
+  table.unseen = summarize_unseen(trials);
   for (const RowRequest& request : optimizers) {
     std::vector<const TrialRecord*> own;
     std::ranges::copy_if(trials, std::back_inserter(own),

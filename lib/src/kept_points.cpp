@@ -52,8 +52,8 @@ void KeptPoints::thin() {
   length_ *= 2.0;
   std::size_t kept = 1;
   for (std::size_t i = 1; i < points_.size(); ++i) {
-    const bool ends = i + 1 == points_.size() ||
-                      interval(points_[i + 1].at.evaluation) != interval(points_[i].at.evaluation);
+    const bool ends =
+        i + 1 == points_.size() || interval(points_[i + 1].at.evaluation) != interval(points_[i].at.evaluation);
     if (ends) std::swap(points_[kept++], points_[i]);
   }
   points_.resize(kept);

@@ -58,9 +58,10 @@ const UnseenPoint* UnseenRecord::at(std::int64_t evaluation) const {
 std::string validated_stop_refusal(const Problem& problem) {
   const std::size_t count = problem.held_out().size();
   if (count >= 2) return {};
-  return fmt::format("{} held out, and a validated stop needs two at least: every second one chooses the point, the "
-                     "others report",
-                     count == 0 ? "nothing is" : fmt::format("only '{}' is", problem.held_out().front()));
+  return fmt::format(
+      "{} held out, and a validated stop needs two at least: every second one chooses the point, the "
+      "others report",
+      count == 0 ? "nothing is" : fmt::format("only '{}' is", problem.held_out().front()));
 }
 
 std::string unseen_warning(const TrialRecord& record) {
@@ -75,8 +76,8 @@ std::string unseen_warning(const TrialRecord& record) {
   const std::optional<double>& fitted = record.best->summary.relative_error;
   if (fitted && *fitted > 0.0 && error > kManyTimes * *fitted)
     reasons.push_back(fmt::format("{:.3g} times the fitted error", error / *fitted));
-  const auto least = std::ranges::min_element(
-      unseen.points, {}, [&](const UnseenPoint& point) { return unseen.error(point); });
+  const auto least =
+      std::ranges::min_element(unseen.points, {}, [&](const UnseenPoint& point) { return unseen.error(point); });
   const bool on_the_way = 0 < least->at.evaluation && least->at.evaluation < best->at.evaluation;
   if (on_the_way && error > kRisen * unseen.error(*least))
     reasons.push_back(fmt::format("and it was least, {}, at evaluation {}: it rose while the fitted error fell",

@@ -104,5 +104,43 @@ TEST(Axes, HaveNames) {
   EXPECT_EQ(to_string(Axis::work), "work");
 }
 
+TEST(UnseenCurve, IsOfWhatReportsAndMayRise) {
+  std::vector<TrialRecord> trials = {trial("a", 0, {{10, 5.0}, {50, 1.0}})};
+  EXPECT_TRUE(make_unseen_curve(pointers(trials), Axis::evaluations).empty());
+  trials[0].unseen = UnseenRecord{
+      {"x", "y"},
+      {{{0, 0.001, 1, 11.0}, {0.6, 0.8}}, {{10, 1.0, 11, 5.0}, {0.3, 0.4}}, {{50, 5.0, 51, 1.0}, {3.0, 4.0}}},
+      0,
+      {}};
+  const std::vector<CurvePoint> curve = make_unseen_curve(pointers(trials), Axis::evaluations, 3);
+  ASSERT_EQ(curve.size(), 3u);
+  EXPECT_DOUBLE_EQ(curve[0].quality.median, std::sqrt(0.5));
+  EXPECT_EQ(curve[1].position, 10.0);
+  EXPECT_DOUBLE_EQ(curve[1].quality.median, std::sqrt(0.125));
+  EXPECT_EQ(curve[2].position, 100.0);
+  EXPECT_DOUBLE_EQ(curve[2].quality.median, std::sqrt(12.5));
+  trials[0].unseen->stop = ValidatedStop{10, 50, 1.0};
+  EXPECT_DOUBLE_EQ(make_unseen_curve(pointers(trials), Axis::evaluations, 3)[1].quality.median, 0.4);
+  // A trial without any doesn't dilute the others.
+  trials.push_back(trial("a", 1, {{10, 5.0}}));
+  EXPECT_EQ(make_unseen_curve(pointers(trials), Axis::seconds, 3).size(), 3u);
+}
+
+TEST(UnseenSummary, SaysWhoChoosesAndWhoReports) {
+  std::vector<TrialRecord> trials = {trial("a", 0, {{10, 5.0}})};
+  const std::vector<RowRequest> rows = {{"a", "a", false, false}};
+  EXPECT_FALSE(make_table("p", std::nullopt, rows, trials).unseen);
+  trials[0].unseen = UnseenRecord{{"x", "y", "z"}, {{{0, 0.001, 1, 11.0}, {0.6, 0.8, 0.0}}}, 0, {}};
+  UnseenSummary summary = *make_table("p", std::nullopt, rows, trials).unseen;
+  EXPECT_EQ(summary.reported, (std::vector<std::string>{"x", "y", "z"}));
+  EXPECT_TRUE(summary.chosen_by.empty());
+  EXPECT_DOUBLE_EQ(*summary.start, std::sqrt(1.0 / 3.0));
+  trials[0].unseen->stop = ValidatedStop{};
+  summary = *make_table("p", std::nullopt, rows, trials).unseen;
+  EXPECT_EQ(summary.reported, std::vector<std::string>{"y"});
+  EXPECT_EQ(summary.chosen_by, (std::vector<std::string>{"x", "z"}));
+  EXPECT_DOUBLE_EQ(*summary.start, 0.8);
+}
+
 }  // namespace
 }  // namespace nodal

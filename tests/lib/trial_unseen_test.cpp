@@ -142,7 +142,8 @@ TEST(ValidatedStop, NeedsTwoThatAreHeldOut) {
 TEST(UnseenWarning, SaysWhatIsWrongWithItsFigures) {
   const TrialRecord fine = run(study_of({{"same", [](std::span<const double> x) { return 0.1 + toy::bowl(x); }}}));
   EXPECT_EQ(unseen_warning(fine), "");
-  const TrialRecord worse = run(study_of({{"early", early}, {"away", [](std::span<const double> x) { return 2.0 + x[0]; }}}));
+  const TrialRecord worse =
+      run(study_of({{"early", early}, {"away", [](std::span<const double> x) { return 2.0 + x[0]; }}}));
   const std::string text = unseen_warning(worse);
   // At the start √((1² + 0.5²)/2), at the best √((0.75² + 2.25²)/2); least where x is −0.625.
   EXPECT_NE(text.find("unseen error 1.68 (worst: away 2.25)"), std::string::npos) << text;

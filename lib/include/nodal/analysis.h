@@ -79,11 +79,18 @@ struct OptimizerRow {
   [[nodiscard]] const TargetRow& target(double gap) const;
 };
 
+/// What is held out of a problem, and how its trials were judged by it (unseen.h).
+struct UnseenSummary {
+  std::vector<std::string> reported, chosen_by;  ///< names; the second of a validated stop
+  std::optional<double> start;                   ///< unseen error at the problem's start
+};
+
 struct ProblemTable {
   ProblemReference reference;
   std::optional<double> start_quality, start_relative_error;
-  bool start_is_best = false;      ///< `starts_at_best` of that start
-  std::vector<OptimizerRow> rows;  ///< in the order asked for
+  std::optional<UnseenSummary> unseen;  ///< of the first trial that has any
+  bool start_is_best = false;           ///< `starts_at_best` of that start
+  std::vector<OptimizerRow> rows;       ///< in the order asked for
 };
 
 /// An optimizer in a table: label, `use`, and whether it is the baseline.
@@ -117,5 +124,8 @@ struct CurvePoint {
 };
 [[nodiscard]] std::vector<CurvePoint> make_curve(std::span<const TrialRecord* const> trials, Axis axis,
                                                  std::size_t points = 120);
+/// The same of the unseen error at the best point so far, where trials have one: `quality` is that error. It may rise.
+[[nodiscard]] std::vector<CurvePoint> make_unseen_curve(std::span<const TrialRecord* const> trials, Axis axis,
+                                                        std::size_t points = 120);
 
 }  // namespace nodal

@@ -2,6 +2,8 @@
 // A kind of problem that shows itself in every way there is: the program, which knows nothing of it, shows it so.
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include <fcntl.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -29,6 +31,12 @@ class BeamEvaluator final : public Evaluator {
     Health health;
     health.findings = {{"sag", 1.0 / thickness_}};
     return health;
+  }
+  // A beam of 1.5 has the weight that was asked for, and the thicker one is, the worse it sounds.
+  [[nodiscard]] Status held_out_errors(std::span<const double> x, std::span<double> errors) override {
+    errors[0] = std::abs(x[0] - 1.5);
+    errors[1] = x[0] * x[0];
+    return Status::ok;
   }
 
  private:
@@ -86,6 +94,7 @@ class BeamProblem final : public Problem {
   [[nodiscard]] Abilities abilities() const override { return {}; }
   [[nodiscard]] std::unique_ptr<Evaluator> make_evaluator() const override { return std::make_unique<BeamEvaluator>(); }
   [[nodiscard]] const Exhibit* exhibit() const override { return &exhibit_; }
+  [[nodiscard]] std::vector<std::string> held_out() const override { return {"weight", "sound"}; }
 
  private:
   Space space_{{{"thickness", 0.5, 4.0, 1.0}}};
@@ -177,7 +186,7 @@ TEST_F(OwnProblem, IsInTableCsvAndPage) {
   EXPECT_TRUE(contains(output.out, "beam: B at the start 0.5000; B* = ")) << output.out;
   EXPECT_TRUE(contains(output.out, "   sag")) << output.out;
   EXPECT_TRUE(contains(output.out, "   [m]")) << output.out;
-  EXPECT_TRUE(contains(read_file(folder_.path() / "store" / "summary.csv"), ",sag_lower,sag_median,sag_upper\n"));
+  EXPECT_TRUE(contains(read_file(folder_.path() / "store" / "summary.csv"), ",sag_lower,sag_median,sag_upper,unseen_lower,unseen_median,unseen_upper\n"));
   EXPECT_EQ(call({"report", "store"}).exit, 0);  // from the store alone
   const std::string page = read_file(folder_.path() / "store" / "report.html");
   for (const char* part : {"<b>beam from start</b>", ".beam { }", "draw(beam);", "gap to B*"})
@@ -197,6 +206,27 @@ TEST_F(OwnProblem, HasACommandAndAList) {
 
 TEST_F(OwnProblem, IsExplained) {
   EXPECT_TRUE(contains(call({"explain", "beam.toml"}).out, "  note: nothing is left open\n"));
+}
+
+TEST_F(OwnProblem, IsToldOfWhatItHoldsOut) {
+  Output output = call({"fit", "beam.toml", "--with", "random-search", "--export", "f.txt"});
+  EXPECT_EQ(output.exit, 0) << output.err;
+  EXPECT_TRUE(contains(output.err, "\nnever fitted: weight 0.")) << output.err;
+  EXPECT_TRUE(contains(output.err, ", at the start 0.7906\n")) << output.err;  // √((0.5² + 1²)/2)
+  EXPECT_TRUE(contains(output.err, "\nnote: unseen error ")) << output.err;
+  EXPECT_TRUE(contains(output.err, "above the start's 0.791")) << output.err;
+  output = call({"fit", "beam.toml", "--with", "random-search", "--validate", "--export", "f.txt"});
+  EXPECT_EQ(output.exit, 0) << output.err;
+  EXPECT_TRUE(contains(output.err, "\nchosen by weight: the point of evaluation ")) << output.err;
+  EXPECT_TRUE(contains(output.err, "\nnever fitted: sound ")) << output.err;
+
+  ASSERT_EQ(call({"compare", "beam.toml"}).exit, 0);
+  output = call({"report", "results/beams"});
+  EXPECT_TRUE(contains(output.out, "unseen")) << output.out;
+  EXPECT_TRUE(contains(output.out, "Worse than their start under loads that were not fitted: random-search"))
+      << output.out;
+  EXPECT_TRUE(contains(read_file(folder_.path() / "results/beams/report.html"), "id=\"unseen-0\""));
+  EXPECT_TRUE(contains(read_file(folder_.path() / "results/beams/summary.csv"), "unseen_median"));
 }
 
 }  // namespace

@@ -188,6 +188,33 @@ TEST(ConsoleTable, HasAColumnForAFindingThatIsTabled) {
   EXPECT_NE(console_table(data, 100).find("(left out to fit 100 columns: half-life"), std::string::npos);
 }
 
+TEST(ConsoleTable, HasUnseenErrorsBesideTheFittedOnesAndSaysWhoIsWorseThanTheStart) {
+  ReportData data = fixture::make_data();
+  ProblemReport& problem = data.problems[0];
+  EXPECT_EQ(console_table(data, 200).find("unseen"), std::string::npos);
+  problem.findings = {{.name = "unseen", .title = "unseen error", .tabled = true}};
+  problem.table.rows[0].findings["unseen"] = {0.1, 0.4689, 0.5};
+  problem.table.rows[1].findings["unseen"] = {0.01, 0.02, 0.03};
+  problem.table.unseen = UnseenSummary{{"pull"}, {}, 0.284};
+  std::string text = console_table(data, 200);
+  EXPECT_NE(text.find("(relative error 0.2880, unseen 0.2840)"), std::string::npos) << text;
+  EXPECT_NE(text.find("0.4689"), std::string::npos) << text;
+  EXPECT_NE(text.find("Worse than their start under loads that were not fitted: " + problem.table.rows[0].label +
+                      " 0.4689 (start 0.2840)"),
+            std::string::npos)
+      << text;
+  EXPECT_EQ(text.find("stop ="), std::string::npos) << text;
+  // Other columns leave before it.
+  EXPECT_NE(console_table(data, 100).find("unseen"), std::string::npos);
+  problem.table.unseen = UnseenSummary{{"pull"}, {"bend-x", "shear"}, 0.6};
+  text = console_table(data, 200);
+  EXPECT_EQ(text.find("Worse than"), std::string::npos) << text;
+  EXPECT_NE(text.find("stop = \"unseen\": bend-x, shear chose which point of a trial is reported; unseen errors are "
+                      "those of pull."),
+            std::string::npos)
+      << text;
+}
+
 TEST(ConsoleTable, CallsTheQualityAsTheKindDoes) {
   ReportData data = fixture::make_data();
   data.problems[0].quality_name = "Q";

@@ -97,6 +97,19 @@ TEST(Page, OffersWorkOnlyWhereItDiffersFromEvaluations) {
   EXPECT_EQ(count(report_html(data), "data-axis=\"work\""), 0u);
 }
 
+TEST(Page, DrawsUnseenErrorsInAChartOfTheirOwn) {
+  ReportData data = fixture::make_data();
+  EXPECT_EQ(count(report_html(data), "figure class=\"race\""), 1u);
+  ProblemReport& problem = data.problems[0];
+  problem.unseen_curves = {problem.curves[0]};
+  problem.table.unseen = UnseenSummary{{"bend-x", "<b>"}, {}, 0.284};
+  const std::string page = report_html(data);
+  EXPECT_EQ(count(page, "figure class=\"race\""), 2u);
+  EXPECT_EQ(count(page, "\"title\":\"unseen error\""), 1u);
+  EXPECT_EQ(count(page, "under bend-x, &lt;b&gt;, which no optimizer sees"), 1u);
+  EXPECT_EQ(count(unseen_chart_html(problem, 0), "data-height"), 0u);  // no gap to speak of
+}
+
 TEST(Page, NeverWritesWhatIsNoNumber) {
   ReportData data = fixture::make_data();
   data.problems[0].curves[0].by_axis[0][0].quality.upper = std::numeric_limits<double>::infinity();
