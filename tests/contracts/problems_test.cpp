@@ -89,6 +89,30 @@ TEST_P(EveryProblem, IsSharedByThreads) {
   EXPECT_EQ(costs[0], costs[2]);
 }
 
+TEST_P(EveryProblem, LooksAtWhatIsHeldOutWithoutMovingAnything) {
+  const std::size_t count = problem_->held_out().size();
+  std::vector<double> errors(count), again(count), wrong(count + 1);
+  const Point first = start(), second = random_point();
+  const Evaluation before = evaluator_->value(first);
+  const Work work = evaluator_->work();
+  Point g(n_), g_after(n_);
+  if (can_.gradient) ASSERT_EQ(evaluator_->gradient(g), Status::ok);
+  const Work with_gradient = evaluator_->work();
+  ASSERT_EQ(evaluator_->held_out_errors(first, errors), Status::ok);
+  for (const double error : errors) EXPECT_TRUE(std::isfinite(error) && error >= 0.0) << error;
+  (void)evaluator_->held_out_errors(second, again);
+  EXPECT_EQ(evaluator_->work().flops, with_gradient.flops);
+  EXPECT_EQ(evaluator_->work().factorizations, work.factorizations);
+  if (can_.gradient) {
+    ASSERT_EQ(evaluator_->gradient(g_after), Status::ok);
+    EXPECT_EQ(g, g_after);
+  }
+  EXPECT_EQ(evaluator_->value(first).cost, before.cost);
+  ASSERT_EQ(problem_->make_evaluator()->held_out_errors(first, again), Status::ok);
+  EXPECT_EQ(errors, again);
+  EXPECT_THROW((void)evaluator_->held_out_errors(first, wrong), std::logic_error);
+}
+
 TEST_P(EveryProblem, RefusesSpansOfTheWrongSize) {
   Point right = start(), wrong(n_ + 1, 0.0), r(m_), short_r(m_ + 1), jacobian(m_ * n_), short_jacobian(m_ * n_ + 1);
   EXPECT_THROW((void)evaluator_->value(wrong), std::logic_error);
