@@ -22,14 +22,15 @@ void explain_problem(const StudyProblem& entry) {
   for (const Stage& stage : problem.stages())
     std::cout << fmt::format("  {} {}: {}\n", stage.used ? "used    " : "left out", stage.name, stage.detail);
   const bool fitted = problem.fit_refusal().empty();
-  const Evaluation start = fitted ? problem.make_evaluator()->audit(problem.space().start()) : Evaluation{};
+  const std::unique_ptr<Evaluator> evaluator = problem.make_evaluator();
+  const Evaluation start = fitted ? evaluator->audit(problem.space().start()) : Evaluation{};
+  const double cost = evaluator->health().data_cost.value_or(start.cost);
   if (!fitted)
     std::cout << "  at the start: only to be evaluated\n";
   else if (start.ok())
-    std::cout << fmt::format("  at the start: quality {:.10g}{}\n", problem.quality(start.cost),
-                             problem.relative_error(start.cost)
-                                 ? fmt::format(", relative error {:.6g}", *problem.relative_error(start.cost))
-                                 : "");
+    std::cout << fmt::format(
+        "  at the start: quality {:.10g}{}\n", problem.quality(cost),
+        problem.relative_error(cost) ? fmt::format(", relative error {:.6g}", *problem.relative_error(cost)) : "");
   else
     std::cout << fmt::format("  at the start: not to be evaluated: {}\n", in_words(start.status));
   if (entry.best_known)

@@ -84,13 +84,20 @@ Value axes_list(std::span<const Axis> axes) {
   return Value(std::move(names));
 }
 
+// What the curves show where no gaps are asked for.
+std::string height_title(const ProblemReport& problem) {
+  if (problem.error_per_quality) return "relative error";
+  return problem.table.has_prior ? problem.raced_name() : "quality";
+}
+
 Value race_value(const ProblemReport& problem, std::span<const Axis> axes) {
   Value value;
   const ProblemReference& reference = problem.table.reference;
   value.set("axes", axes_list(axes));
   if (sane(reference.best_quality)) value.set("best", reference.best_quality);
   value.set("provisional", reference.provisional);
-  value.set("quality", problem.quality_name);
+  value.set("quality", problem.raced_name());
+  if (problem.table.has_prior) value.set("title", height_title(problem));
   // A start at G* has no gap to be measured in.
   const bool has_gaps = !problem.table.start_is_best && !reference.unimproved;
   if (const auto& start = problem.table.start_quality; start && sane(*start) && has_gaps) value.set("start", *start);
@@ -125,8 +132,8 @@ std::string axis_controls(const char* chart, std::size_t index, std::span<const 
 
 std::string height_controls(const ProblemReport& problem, const char* chart, std::size_t index) {
   return "<fieldset><legend>Show</legend>" +
-         radio(chart, index, "height", "error", problem.error_per_quality ? "relative error" : "quality", true) +
-         radio(chart, index, "height", "gap", ("gap to " + problem.quality_name + "*").c_str(), false) + "</fieldset>";
+         radio(chart, index, "height", "error", height_title(problem).c_str(), true) +
+         radio(chart, index, "height", "gap", ("gap to " + problem.raced_name() + "*").c_str(), false) + "</fieldset>";
 }
 
 std::string figure_html(const char* chart, std::size_t index, const std::string& controls, const std::string& caption,

@@ -149,11 +149,13 @@ class Collection {
   std::set<std::string> identities_, keys_;
 };
 
-// relative error / quality, when all records of a problem agree on it to rounding.
+// relative error / quality, when all records of a problem agree on it to rounding. With a prior the two are of
+// different parts of the cost.
 std::optional<double> error_per_quality(std::span<const TrialRecord* const> records) {
   constexpr double kSame = 1e-9;  // two divisions and a JSON round trip lose far less
   std::optional<double> ratio;
   const auto agrees = [&ratio](const PointSummary& point) {
+    if (point.data_quality) return false;
     if (!point.quality || *point.quality == 0.0) return true;
     if (!point.relative_error) return false;
     const double here = *point.relative_error / *point.quality;

@@ -41,13 +41,16 @@ struct ProblemReport {
   std::string quality_help = {};
   std::vector<FindingDescription> findings;  ///< those of the kind, then others that records have, each by its name
   ProblemTable table;
-  std::optional<double>
-      error_per_quality;                ///< relative error / quality where that is one constant: curves hold quality
-  std::vector<OptimizerCurves> curves;  ///< in the table's order; optimizers without a point are left out
+  std::optional<double> error_per_quality;     ///< relative error / quality where that is one constant: curves hold
+                                               ///< quality. None with a prior
+  std::vector<OptimizerCurves> curves;         ///< in the table's order; optimizers without a point are left out
   std::vector<OptimizerCurves> unseen_curves;  ///< the same of unseen errors
   std::optional<BestOfAll> best;
   ReportPart details;            ///< of how it was made; empty where the manifests say nothing
   std::string fingerprint = {};  ///< of the files it was read from (StudyProblem), as the stores have it
+
+  /// What gaps, targets and curves are of: "G", "G with prior".
+  [[nodiscard]] std::string raced_name() const { return quality_name + (table.has_prior ? " with prior" : ""); }
 };
 
 struct FailedTrial {

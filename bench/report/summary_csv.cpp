@@ -49,7 +49,11 @@ std::vector<std::string> finding_names(const ReportData& data) {
   return names;
 }
 
-std::vector<std::string> header(const std::vector<std::string>& findings) {
+bool has_prior(const ReportData& data) {
+  return std::ranges::any_of(data.problems, [](const ProblemReport& problem) { return problem.table.has_prior; });
+}
+
+std::vector<std::string> header(const std::vector<std::string>& findings, bool prior) {
   std::vector<std::string> names = {"problem",
                                     "optimizer",
                                     "use",
@@ -73,13 +77,15 @@ std::vector<std::string> header(const std::vector<std::string>& findings) {
     for (const Axis axis : kAxes) names.push_back(std::string(to_string(axis)) + suffix);
     for (const Axis axis : kAxes) names.push_back(std::string(to_string(axis)) + "_multiple" + suffix);
   }
-  for (const std::string& finding : findings)
-    for (const char* part : {"lower", "median", "upper"}) names.push_back(quoted(finding + "_" + part));
+  std::vector<std::string> last = findings;
+  if (prior) last.insert(last.begin(), "data_quality");
+  for (const std::string& figure : last)
+    for (const char* part : {"lower", "median", "upper"}) names.push_back(quoted(figure + "_" + part));
   return names;
 }
 
 std::vector<std::string> cells_of(const ProblemTable& table, const OptimizerRow& row,
-                                  const std::vector<std::string>& findings) {
+                                  const std::vector<std::string>& findings, bool prior) {
   std::vector<std::string> cells = {quoted(table.reference.label),
                                     quoted(row.label),
                                     quoted(row.use),
@@ -104,6 +110,7 @@ std::vector<std::string> cells_of(const ProblemTable& table, const OptimizerRow&
     for (const Axis axis : kAxes) cells.push_back(exact(target.median[static_cast<std::size_t>(axis)]));
     for (const Axis axis : kAxes) cells.push_back(exact(target.multiple[static_cast<std::size_t>(axis)]));
   }
+  if (prior) add_quartiles(cells, row.data_quality);
   for (const std::string& finding : findings) {
     const auto found = row.findings.find(finding);
     add_quartiles(cells, found == row.findings.end() ? std::nullopt : std::optional(found->second));
@@ -115,10 +122,11 @@ std::vector<std::string> cells_of(const ProblemTable& table, const OptimizerRow&
 
 std::string summary_csv(const ReportData& data) {
   const std::vector<std::string> findings = finding_names(data);
-  std::string text = fmt::format("{}\n", fmt::join(header(findings), ","));
+  const bool prior = has_prior(data);
+  std::string text = fmt::format("{}\n", fmt::join(header(findings, prior), ","));
   for (const ProblemReport& problem : data.problems)
     for (const OptimizerRow& row : problem.table.rows)
-      text += fmt::format("{}\n", fmt::join(cells_of(problem.table, row, findings), ","));
+      text += fmt::format("{}\n", fmt::join(cells_of(problem.table, row, findings, prior), ","));
   return text;
 }
 

@@ -79,7 +79,7 @@ void add_errors(std::vector<Filler>& fillers, const ProblemReport& problem, bool
                      [error](const OptimizerRow& r) { return spread_text(error(r)); }});
   if (has_error)
     fillers.push_back({{problem.quality_name, "median", problem.quality_help},
-                       [](const OptimizerRow& r) { return median_text(r.quality); }});
+                       [](const OptimizerRow& r) { return median_text(r.data_quality ? r.data_quality : r.quality); }});
 }
 
 void add_costs(std::vector<Filler>& fillers, bool has_factorizations) {
@@ -238,13 +238,14 @@ std::string describe_reference(const ProblemReport& problem) {
   const ProblemTable& table = problem.table;
   const ProblemReference& reference = table.reference;
   const std::string best = figure_text(reference.best_quality, kDigits);
-  const std::string& name = problem.quality_name;
+  const std::string name = problem.raced_name();
   std::string text;
   if (table.start_quality) {
     text = name + " at the start " + figure_text(*table.start_quality, kDigits);
     if (table.start_relative_error)
       text += fmt::format(
-          " (relative error {}{})", figure_text(*table.start_relative_error, kDigits),
+          " (relative error{} {}{})", table.has_prior ? " without it" : "",
+          figure_text(*table.start_relative_error, kDigits),
           table.unseen && table.unseen->start ? ", unseen " + figure_text(*table.unseen->start, kDigits) : "");
     if (table.start_is_best && reference.beaten)
       text += fmt::format(", not above the {}* that was given: every trial has reached each gap at its start", name);
@@ -270,7 +271,7 @@ std::vector<std::string> table_legend(std::span<const ProblemReport> problems) {
     return problem.quality_name == problems.front().quality_name;
   });
   const std::string name = one ? problems.front().quality_name : "quality";
-  return {
+  std::vector<std::string> legend = {
       "Best first: by error as printed, equal ones by time to gap 0.01. Times and counts are medians over trials.",
       fmt::format("Gap = ({0} − {0}*)/({0} at the start − {0}*): 1 at the start, 0 at {0}*, the best known. \"Time to "
                   "0.01\" is the time to that gap.",
@@ -278,6 +279,11 @@ std::vector<std::string> table_legend(std::span<const ProblemReport> problems) {
       "Never: the median trial doesn't get there. Times faster: the baseline's time to gap 0.01 over this one's.",
       "Reached: distinct runs that got to gap 0.01, of all; repeats that did the same until then count once. det.: "
       "deterministic."};
+  if (std::ranges::any_of(problems, [](const ProblemReport& problem) { return problem.table.has_prior; }))
+    legend.emplace_back(
+        "With a prior, optimizers, gaps and curves see the cost with its share; relative errors and the column beside "
+        "them are of the data alone.");
+  return legend;
 }
 
 }  // namespace nodal::report

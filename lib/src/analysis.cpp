@@ -180,6 +180,7 @@ OptimizerRow make_row(const RowRequest& request, std::span<const TrialRecord* co
   };
   row.quality = quartiles_of(trials, best(&PointSummary::quality));
   row.relative_error = quartiles_of(trials, best(&PointSummary::relative_error));
+  row.data_quality = quartiles_of(trials, best(&PointSummary::data_quality));
   row.at_bounds = quartiles_of(trials, [](const TrialRecord& t) {
     return t.best && t.best->at_bounds ? std::optional(static_cast<double>(*t.best->at_bounds)) : std::nullopt;
   });
@@ -297,6 +298,9 @@ ProblemTable make_table(const std::string& problem_label, const std::optional<Kn
 
   ProblemTable table;
   table.reference = reference_of(problem_label, best_known, trials);
+  table.has_prior = std::ranges::any_of(trials, [](const TrialRecord* trial) {
+    return trial->start.data_quality || (trial->best && trial->best->summary.data_quality);
+  });
   for (const TrialRecord* trial : trials)
     if (trial->repeat == 0 && trial->start.quality) {
       table.start_quality = trial->start.quality;

@@ -19,6 +19,7 @@ void describe(Archive& archive, T& point) {
   archive.field("cost", point.cost);
   archive.field("quality", point.quality);
   archive.field("relative_error", point.relative_error);
+  archive.field("data_quality", point.data_quality);
 }
 
 template <class Archive, class T>

@@ -49,17 +49,26 @@ std::optional<double> TrialAudit::figure(const std::string& name, Get get) {
   return std::nullopt;
 }
 
-PointSummary TrialAudit::summarize(const Evaluation& evaluation, const std::string& what) {
+// `data_cost`: the data's part of the cost, where there is a prior.
+PointSummary TrialAudit::summarize(const Evaluation& evaluation, std::optional<double> data_cost,
+                                   const std::string& what) {
   if (!evaluation.ok()) return {};
   const double cost = evaluation.cost;
-  return {cost, figure("quality of " + what, [&] { return std::optional(problem_.quality(cost)); }),
-          figure("relative error of " + what, [&] { return problem_.relative_error(cost); })};
+  const auto quality_of = [&](double part, const std::string& name) {
+    return figure(name + " of " + what, [&] { return std::optional(problem_.quality(part)); });
+  };
+  PointSummary summary{cost, quality_of(cost, "quality"), {}, {}};
+  if (data_cost) summary.data_quality = quality_of(*data_cost, "data's quality");
+  summary.relative_error =
+      figure("relative error of " + what, [&] { return problem_.relative_error(data_cost.value_or(cost)); });
+  return summary;
 }
 
 void TrialAudit::note_start(std::span<const double> x) {
   if (!meter_.start().ok()) return;
   const Evaluation audited = audit({x.begin(), x.end()}, "the start");
-  record_.start = summarize(audited.ok() ? audited : meter_.start(), "the start");
+  record_.start = audited.ok() ? summarize(audited, evaluator_.health().data_cost, "the start")
+                               : summarize(meter_.start(), std::nullopt, "the start");
   // The trace stays in falling order: where the first improvement was within rounding, it keeps what the race saw.
   std::vector<TracePoint>& trace = record_.trace;
   const bool begins = !trace.empty() && trace.front().evaluation == 0 && record_.start.quality;
@@ -94,8 +103,10 @@ void TrialAudit::note_best(const std::optional<KeptPoint>& chosen) {
       fail(fmt::format("the race saw a cost of {:.6g} at the best point, a fresh evaluation says {:.6g}", seen.cost,
                        audited.cost));
   }
-  record_.best = BestPoint{best.at.evaluation, summarize(audited.ok() ? audited : seen, "the best point"), x,
-                           static_cast<std::int64_t>(problem_.space().at_bounds(x))};
+  record_.best = BestPoint{best.at.evaluation,
+                           audited.ok() ? summarize(audited, record_.health.data_cost, "the best point")
+                                        : summarize(seen, std::nullopt, "the best point"),
+                           x, static_cast<std::int64_t>(problem_.space().at_bounds(x))};
   record_.seconds.to_best = best.at.seconds;
   const UnseenPoint* unseen = record_.unseen ? record_.unseen->at(best.at.evaluation) : nullptr;
   if (unseen) record_.health.findings.push_back({kUnseenFinding, record_.unseen->error(*unseen)});

@@ -27,7 +27,7 @@ class TrialAudit {
  private:
   void fail(const std::string& what);
   Evaluation audit(const std::vector<double>& x, const std::string& what);
-  PointSummary summarize(const Evaluation& evaluation, const std::string& what);
+  PointSummary summarize(const Evaluation& evaluation, std::optional<double> data_cost, const std::string& what);
   template <class Get>
   std::optional<double> figure(const std::string& name, Get get);
 

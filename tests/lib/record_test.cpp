@@ -147,9 +147,10 @@ TEST(Record, RefusesAttemptsThatCantBeCounted) {
 }
 
 TEST(Record, ReadsALineWithoutWhatWasNotMeasured) {
-  for (const char* path : {"best", "claimed", "start.cost", "start.quality", "best.relative_error", "best.at_bounds",
-                           "claimed.cost", "claimed.x_equals_best", "claimed.evaluations", "attempt", "conditions",
-                           "conditions.beside_others", "conditions.stopped", "health.drift", "health.spread"})
+  for (const char* path :
+       {"best", "claimed", "start.cost", "start.quality", "best.relative_error", "best.at_bounds", "best.data_quality",
+        "claimed.cost", "claimed.x_equals_best", "claimed.evaluations", "attempt", "conditions",
+        "conditions.beside_others", "conditions.stopped", "health.drift", "health.spread"})
     EXPECT_EQ(refusal_without(path), "(nothing was thrown)") << path;
 }
 
@@ -168,6 +169,7 @@ TEST(Record, RefusesAWrongTypeByItsName) {
   EXPECT_EQ(refusal_with("start", 1.0), about("'start' is not a table"));
   EXPECT_EQ(refusal_with("start.cost", "1"), about("'start.cost' is not a number"));
   EXPECT_EQ(refusal_with("best", Value::List{}), about("'best' is not a table"));
+  EXPECT_EQ(refusal_with("best.data_quality", "1"), about("'best.data_quality' is not a number"));
   EXPECT_EQ(refusal_with("best.x", 1.0), about("'best.x' is not a list"));
   EXPECT_EQ(refusal_with("best.x", Value::List{Value("1")}), about("'best.x' holds something else than numbers"));
   EXPECT_EQ(refusal_with("claimed.x_equals_best", 1), about("'claimed.x_equals_best' is not a boolean"));

@@ -24,7 +24,7 @@ inline TrialRecord full_record() {
   r.options.set("population", 12);
   r.options.set("nested", parse_json(R"({"list": [1.5, 2.0], "flag": true, "text": "x"})", "options"));
   r.start = {2.5, 3.5, 0.75};
-  r.best = BestPoint{41, {0.1, 0.2, 0.3}, {1e-300, -2.0, 0.1}, 2};
+  r.best = BestPoint{41, {0.1, 0.2, 0.3, 0.15}, {1e-300, -2.0, 0.1}, 2};
   r.counts = {1, 2, 3, 4, 5, 6, 7, 8, 9};
   r.work = {10, 11, 12, 13.5, 6.25};
   r.flops_per_value = 1.25;
@@ -32,7 +32,13 @@ inline TrialRecord full_record() {
   r.conditions = Conditions{"89abcdef01234567", "A Processor @ 3 GHz", 3, 2, true, true};
   r.trace = {{0, 1e-6, 1, 3.5}, {41, 0.4, 40, 0.2}};
   r.claimed = ClaimRecord{0.1, true, 44, "XTOL_REACHED"};
-  r.health = {1e-12, 5e-17, 2e-16, 3e-10, 2, {{"spread", 1e4}}};
+  r.health = {.error_estimate = 1e-12,
+              .cost_error = 5e-17,
+              .residual = 2e-16,
+              .drift = 3e-10,
+              .data_cost = std::nullopt,
+              .refused = 2,
+              .findings = {{"spread", 1e4}}};
   r.unseen = UnseenRecord{{"bend-x", "bend-y"},
                           {{{0, 1e-6, 1, 3.5}, {0.5, 0.25}}, {{41, 0.4, 40, 0.2}, {1e-3, 2.5}}},
                           1,
@@ -44,6 +50,7 @@ inline void expect_equal(const PointSummary& a, const PointSummary& b) {
   EXPECT_EQ(a.cost, b.cost);
   EXPECT_EQ(a.quality, b.quality);
   EXPECT_EQ(a.relative_error, b.relative_error);
+  EXPECT_EQ(a.data_quality, b.data_quality);
 }
 
 inline void expect_equal(const Counts& a, const Counts& b) {

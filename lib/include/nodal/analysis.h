@@ -70,6 +70,7 @@ struct OptimizerRow {
   bool deterministic = false;                        ///< the method: its repeats from one start measure time only
   std::size_t contaminated = 0;                      ///< trials whose times are not to be trusted: `contamination`
   std::optional<Quartiles> quality, relative_error;  ///< of the best points
+  std::optional<Quartiles> data_quality;             ///< … without the prior's share (PointSummary)
   std::optional<Quartiles> at_bounds;                ///< coordinates of the best points that lie at a bound
   std::optional<Quartiles> evaluations, factorizations, seconds, work;
   std::map<std::string, Quartiles> findings;  ///< by name, of the trials that have one (Health::findings)
@@ -88,6 +89,7 @@ struct UnseenSummary {
 struct ProblemTable {
   ProblemReference reference;
   std::optional<double> start_quality, start_relative_error;
+  bool has_prior = false;  ///< qualities, gaps and curves have a prior's share in them; relative errors haven't
   std::optional<UnseenSummary> unseen;  ///< of the first trial that has any
   bool start_is_best = false;           ///< `starts_at_best` of that start
   std::vector<OptimizerRow> rows;       ///< in the order asked for

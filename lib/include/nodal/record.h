@@ -35,7 +35,8 @@ inline constexpr std::size_t kMostOfAReason = 2000;
 
 /// Empty entries were not measured, or don't exist for this problem.
 struct PointSummary {
-  std::optional<double> cost, quality, relative_error;
+  std::optional<double> cost, quality, relative_error;  ///< with a prior the last is of the data's part of the cost
+  std::optional<double> data_quality = {};              ///< of the data's part of the cost, where there is a prior
 };
 
 /// Of the points that were seen: the best, or under a validated stop the one that it chose.

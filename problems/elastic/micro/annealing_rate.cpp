@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Steps per second of the baseline, through the meter: what it can try within a budget.
+// Steps per second of the baseline, through the meter: what it can try within a budget; with a prior beside the data,
+// too.
 #include <nodal/optimizer.h>
 #include <nodal/registry.h>
 
@@ -9,8 +10,8 @@ namespace nodal::micro {
 
 namespace {
 
-void annealing_rate(benchmark::State& state) {
-  const auto problem = make_plate(static_cast<std::size_t>(state.range(0)));
+void anneal(benchmark::State& state, const std::string& options_of_problem) {
+  const auto problem = make_plate(static_cast<std::size_t>(state.range(0)), options_of_problem);
   const OptimizerDescription* annealing = components().find_optimizer("annealing");
   const Options options = resolve_options(annealing->options, Value(), "optimizer 'annealing'");
   double steps = 0.0;
@@ -25,7 +26,12 @@ void annealing_rate(benchmark::State& state) {
   }
   state.counters["steps_per_second"] = benchmark::Counter(steps, benchmark::Counter::kIsRate);
 }
+
+void annealing_rate(benchmark::State& state) { anneal(state, ""); }
 BENCHMARK(annealing_rate)->ArgName("nodes")->Arg(25)->Unit(benchmark::kMillisecond);
+
+void annealing_rate_with_prior(benchmark::State& state) { anneal(state, "prior = { weight = 0.01 }\n"); }
+BENCHMARK(annealing_rate_with_prior)->ArgName("nodes")->Arg(25)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 

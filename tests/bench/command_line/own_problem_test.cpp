@@ -186,7 +186,8 @@ TEST_F(OwnProblem, IsInTableCsvAndPage) {
   EXPECT_TRUE(contains(output.out, "beam: B at the start 0.5000; B* = ")) << output.out;
   EXPECT_TRUE(contains(output.out, "   sag")) << output.out;
   EXPECT_TRUE(contains(output.out, "   [m]")) << output.out;
-  EXPECT_TRUE(contains(read_file(folder_.path() / "store" / "summary.csv"), ",sag_lower,sag_median,sag_upper,unseen_lower,unseen_median,unseen_upper\n"));
+  EXPECT_TRUE(contains(read_file(folder_.path() / "store" / "summary.csv"),
+                       ",sag_lower,sag_median,sag_upper,unseen_lower,unseen_median,unseen_upper\n"));
   EXPECT_EQ(call({"report", "store"}).exit, 0);  // from the store alone
   const std::string page = read_file(folder_.path() / "store" / "report.html");
   for (const char* part : {"<b>beam from start</b>", ".beam { }", "draw(beam);", "gap to B*"})

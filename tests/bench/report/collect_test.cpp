@@ -8,6 +8,10 @@
 #include <filesystem>
 #include <fstream>
 
+#include <report/page_parts.h>
+#include <report/report.h>
+#include <report/table.h>
+
 namespace nodal::report {
 namespace {
 
@@ -131,6 +135,44 @@ TEST_F(Collect, KeepsTheReasonsOfFailedTrials) {
   ASSERT_EQ(data.failed.size(), 1u);
   EXPECT_EQ(data.failed[0].end, End::crashed);
   EXPECT_EQ(data.failed[0].reason, "the plate broke");
+}
+
+// With a prior the race is one for "G with prior": curves are of it, and never relabelled as relative errors, though
+// these are proportional to G in every record.
+TEST_F(Collect, TellsThePriorsShareApart) {
+  TrialRecord wished = record("k1", "annealing", 2.0);
+  wished.start.data_quality = 4.0;
+  wished.best->summary.data_quality = 1.5;
+  wished.best->summary.relative_error = 1.5 / 4.0;
+  std::vector<Store> stores;
+  stores.push_back(store("a", {wished}));
+  const ReportData data = collect(stores, kinds());
+  const ProblemReport& problem = data.problems[0];
+  EXPECT_TRUE(problem.table.has_prior);
+  EXPECT_FALSE(problem.error_per_quality);
+  EXPECT_EQ(problem.raced_name(), "G with prior");
+  EXPECT_DOUBLE_EQ(problem.table.reference.best_quality, 2.0);
+  EXPECT_DOUBLE_EQ(problem.table.rows[0].quality->median, 2.0);
+  EXPECT_DOUBLE_EQ(problem.table.rows[0].data_quality->median, 1.5);
+
+  const Table table = make_text_table(problem);
+  std::vector<std::string> shown;
+  for (std::size_t c = 0; c < table.columns.size(); ++c)
+    if (table.columns[c].subtitle == "median") shown.push_back(table.rows[0][c]);
+  ASSERT_FALSE(shown.empty());
+  EXPECT_EQ(shown[0], "1.500");  // beside the relative error, and of the same part
+  EXPECT_TRUE(describe_reference(problem).starts_with(problem.raced_name() +
+                                                      " at the start 4.000 (relative error without it 1.000); " +
+                                                      problem.raced_name() + "* = 2.000,"))
+      << describe_reference(problem);
+  EXPECT_NE(table_legend(data.problems).back().find("With a prior"), std::string::npos);
+  const std::string chart = chart_html(problem, 0);
+  EXPECT_NE(chart.find("\"title\":\"" + problem.raced_name() + "\""), std::string::npos);
+  EXPECT_EQ(chart.find("errorPerQuality"), std::string::npos);
+  EXPECT_EQ(chart.find("relative error"), std::string::npos);
+  const std::string csv = summary_csv(data);
+  EXPECT_NE(csv.find(",data_quality_lower,data_quality_median,data_quality_upper"), std::string::npos);
+  EXPECT_NE(csv.find(",1.5,1.5,1.5"), std::string::npos);
 }
 
 TEST_F(Collect, DrawsQualityWhereErrorIsNotProportionalToIt) {

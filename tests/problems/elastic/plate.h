@@ -29,6 +29,7 @@ struct PlateOptions {
   std::string solver = "auto";
   std::string moves = "auto";
   std::string instructions = "auto";
+  std::string more = "";  ///< lines after those of [problem]
 };
 
 inline std::string plate_toml(const PlateOptions& o) {
@@ -40,7 +41,8 @@ inline std::string plate_toml(const PlateOptions& o) {
          "\", initial = " + o.initial + ", bounds = " + o.bounds +
          " }\nloads = { set = \"plate\", stress = " + number(o.stress) + ", supports = \"" + o.supports +
          "\" }\nquality = { weights = { inner = 1, border = 3, corner = 15 } }\nequilibrium = { method = \"" +
-         o.solver + "\" }\nmoves = { form = \"" + o.moves + "\", instructions = \"" + o.instructions + "\" }\n";
+         o.solver + "\" }\nmoves = { form = \"" + o.moves + "\", instructions = \"" + o.instructions + "\" }\n" +
+         o.more;
 }
 
 inline std::shared_ptr<const ElasticProblem> as_elastic(const Study& study) {

@@ -22,7 +22,7 @@ Abilities Objective::abilities() const {
     all.gradient = all.gradient && own.gradient;
     all.residuals = all.residuals && own.residuals;
     all.jacobian_products = all.jacobian_products && own.jacobian_products;
-    all.moves = all.moves && own.moves && fitted_.size() == 1 && part.weight == 1.0;
+    all.moves = all.moves && own.moves;
   }
   return all;
 }
@@ -41,7 +41,8 @@ ObjectiveEvaluator::ObjectiveEvaluator(const Objective& objective) {
   std::size_t first = 0;
   for (const WeightedTerm& part : objective.fitted()) {
     const std::size_t count = part.term->residual_count();
-    parts_.push_back({part.term->make_evaluator(), part.weight, std::sqrt(part.weight), count, first});
+    parts_.push_back(
+        {part.term->make_evaluator(), part.weight, std::sqrt(part.weight), part.term->is_prior(), count, first});
     first += count;
   }
   for (const auto& term : objective.held_out()) {
@@ -66,14 +67,26 @@ Evaluation ObjectiveEvaluator::value(const System& system) {
   return sum_of([&](TermEvaluator& term) { return term.value(system); });
 }
 
+// Figures of the solves behind different terms can't be mixed; errors of costs add up.
+void ObjectiveEvaluator::add_health(const Part& part) {
+  const Health own = part.evaluator->health();
+  const std::optional<double> error = health_.cost_error;
+  if (&part == &parts_.front() || (!health_.error_estimate && own.error_estimate)) health_ = own;
+  if (own.cost_error) health_.cost_error = error.value_or(0.0) + part.weight * *own.cost_error;
+}
+
 Evaluation ObjectiveEvaluator::audit(const System& system) {
   health_ = {};
-  const Evaluation result = sum_of([&](TermEvaluator& term) {
-    const Evaluation evaluation = term.audit(system);
-    health_ = term.health();  // of several the last: figures of different terms can't be mixed
-    return evaluation;
-  });
-  if (!result.ok()) return result;
+  Evaluation result{Status::ok, 0.0};
+  double data = 0.0;
+  for (const Part& part : parts_) {
+    const Evaluation own = part.evaluator->audit(system);
+    add_health(part);
+    if (!own.ok()) return own;
+    result.cost += part.weight * own.cost;
+    if (!part.prior) data += part.weight * own.cost;
+  }
+  if (std::ranges::any_of(parts_, &Part::prior)) health_.data_cost = data;
   for (std::size_t t = 0; t < held_out_.size(); ++t)
     if (const Evaluation unseen = held_out_[t]->audit(system); unseen.ok())
       health_.findings.push_back({held_out_names_[t], std::sqrt(2.0 * unseen.cost)});
@@ -131,7 +144,15 @@ Status ObjectiveEvaluator::jacobian(const Parameters& parameters, std::span<doub
 }
 
 Moves* ObjectiveEvaluator::moves() {
-  return parts_.size() == 1 && parts_.front().weight == 1.0 ? parts_.front().evaluator->moves() : nullptr;
+  if (parts_.size() == 1 && parts_.front().weight == 1.0) return parts_.front().evaluator->moves();
+  if (moves_) return moves_.get();
+  std::vector<ObjectiveMoves::Part> walks;
+  for (const Part& part : parts_) {
+    walks.push_back({part.evaluator->moves(), part.weight});
+    if (!walks.back().walk) return nullptr;
+  }
+  moves_ = std::make_unique<ObjectiveMoves>(std::move(walks));
+  return moves_.get();
 }
 
 Work ObjectiveEvaluator::work() const {

@@ -6,7 +6,8 @@
 /// Residuals of fitted terms stand one after the other, each times √w_t. Held-out terms are evaluated at audits, after
 /// the fitted ones, and told as findings under their names: √(2 · their cost). An audit doesn't fail by them; a value,
 /// a derivative or a walk doesn't know of them. A single fitted term of weight 1 costs nothing more than the term: its
-/// own walk is the walk. Several have none: the ability is gone, and the meter walks by full values.
+/// own walk is the walk. Several walk beside each other (objective_moves.h), unless one of them has no walk: then the
+/// ability is gone, and the meter walks by full values.
 ///
 /// Threads  Objective: immutable, shared. ObjectiveEvaluator: one thread.
 
@@ -14,6 +15,7 @@
 #include <span>
 #include <vector>
 
+#include "objective/objective_moves.h"
 #include "objective/term.h"
 
 namespace nodal::elastic {
@@ -49,8 +51,9 @@ class ObjectiveEvaluator {
   explicit ObjectiveEvaluator(const Objective& objective);
 
   Evaluation value(const System& system);
-  /// Fitted terms, then those held out. `health` is that of the last fitted term, with the findings of those held out
-  /// after its own.
+  /// Fitted terms, then those held out. `health` is that of the first fitted term that estimates its error (of the
+  /// first where none does), with the errors of all costs added up, the findings of those held out after its own, and,
+  /// where there is a prior, the cost of the terms that are none.
   Evaluation audit(const System& system);
 
   Status residuals(std::span<double> r);
@@ -59,7 +62,7 @@ class ObjectiveEvaluator {
   Status add_transposed_product(std::span<const double> w, const SystemGradient& gradient);
   Status jacobian(const Parameters& parameters, std::span<double> rows);
 
-  /// Of a single fitted term of weight 1; nothing else.
+  /// Nothing where a fitted term has none.
   [[nodiscard]] Moves* moves();
   [[nodiscard]] Work work() const;
   [[nodiscard]] const Health& health() const noexcept { return health_; }
@@ -67,17 +70,20 @@ class ObjectiveEvaluator {
  private:
   struct Part {
     std::unique_ptr<TermEvaluator> evaluator;
-    double weight, root;           // w, √w
+    double weight, root;  // w, √w
+    bool prior;
     std::size_t residuals, first;  // how many, where they begin
   };
 
   template <class Ask>
   Evaluation sum_of(Ask ask);
+  void add_health(const Part& part);
 
   std::vector<Part> parts_;
   std::vector<std::string> held_out_names_;
   std::vector<std::unique_ptr<TermEvaluator>> held_out_;
-  std::vector<double> scaled_;  // w of a transposed product, times √w_t
+  std::vector<double> scaled_;             // w of a transposed product, times √w_t
+  std::unique_ptr<ObjectiveMoves> moves_;  // of several terms
   Health health_;
 };
 

@@ -70,6 +70,8 @@ class Term {
   virtual ~Term() = default;
 
   [[nodiscard]] virtual std::string_view name() const = 0;
+  /// A wish of what systems are like, not a misfit of data: results are told without it (Health::data_cost).
+  [[nodiscard]] virtual bool is_prior() const { return false; }
   [[nodiscard]] virtual Abilities abilities() const = 0;
   [[nodiscard]] virtual std::size_t residual_count() const = 0;
   [[nodiscard]] virtual std::unique_ptr<TermEvaluator> make_evaluator() const = 0;

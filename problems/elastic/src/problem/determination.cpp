@@ -31,7 +31,7 @@ std::size_t count_measured(const Scene& scene) {
   return measured;
 }
 
-// The rows of the Jacobian that weigh anything; empty where the point has no equilibrium.
+// The rows of the data's Jacobian that weigh anything; empty where the point has no equilibrium.
 Eigen::MatrixXd jacobian_at(const ElasticProblem& problem, std::span<const double> stiffness) {
   const auto rows = static_cast<Eigen::Index>(problem.residual_count());
   const auto columns = static_cast<Eigen::Index>(problem.parameters().size());
@@ -41,7 +41,8 @@ Eigen::MatrixXd jacobian_at(const ElasticProblem& problem, std::span<const doubl
   const std::span<double> entries(jacobian.data(), static_cast<std::size_t>(jacobian.size()));
   if (!problem.make_evaluator()->residuals_and_jacobian(x, residuals, entries).ok()) return {};
   std::vector<Eigen::Index> kept;
-  for (Eigen::Index r = 0; r < rows; ++r)
+  const auto of_data = static_cast<Eigen::Index>(problem.data_residual_count());
+  for (Eigen::Index r = 0; r < of_data; ++r)
     if ((jacobian.row(r).array() != 0.0).any()) kept.push_back(r);
   return jacobian(kept, Eigen::all);
 }
@@ -81,7 +82,7 @@ Determination determine(const ElasticProblem& problem, std::span<const double> s
   if (!problem.scene().has_reference) return found;
   found.measured = count_measured(problem.scene());
   found.open = found.coordinates > found.measured ? found.coordinates - found.measured : 0;
-  const double residuals = static_cast<double>(problem.residual_count()),
+  const double residuals = static_cast<double>(problem.data_residual_count()),
                coordinates = static_cast<double>(found.coordinates);
   if (residuals * coordinates * std::min(residuals, coordinates) > kMostDeterminationWork) return found;
   if (problem.solve(stiffness).status != Status::ok) return found;
@@ -111,12 +112,11 @@ std::string describe(const Determination& found, const ElasticProblem& problem) 
     if (names.size() < kMostNames) names.push_back(coordinate_name(problem, i));
   const std::size_t more = found.undetermined.size() - names.size();
   const bool one = found.undetermined.size() == 1;
-  return text + fmt::format(
-                    ": {} {} arbitrary, {}{}: {} can change{}, and no displacement does; measure more, add loads, or "
-                    "tie springs by 'parameters'",
-                    found.undetermined.size(), one ? "is" : "are", fmt::join(names, ", "),
-                    more > 0 ? fmt::format(" and {} more", more) : "", one ? "it" : "they",
-                    one ? "" : ", alone or together");
+  return text + fmt::format(": {} {} {}, {}{}: {} can change{}, and no displacement does{}", found.undetermined.size(),
+                            one ? "is" : "are", problem.scene().prior ? "the prior's alone" : "arbitrary",
+                            fmt::join(names, ", "), more > 0 ? fmt::format(" and {} more", more) : "",
+                            one ? "it" : "they", one ? "" : ", alone or together",
+                            problem.scene().prior ? "" : "; measure more, add loads, or tie springs by 'parameters'");
 }
 
 }  // namespace nodal::elastic

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -11,6 +12,7 @@
 #include "displacements/spread.h"
 #include "objective/displacement_term.h"
 #include "objective/objective.h"
+#include "objective/prior_term.h"
 #include "problem/elastic_evaluator.h"
 #include "show/exhibit.h"
 #include "starts/stiffness_bounds.h"
@@ -23,28 +25,56 @@ namespace {
 // start on a bound can stick to it.
 constexpr double kJustInside = 1e-6;
 
+// Where a fit starts: coordinates within their bounds, and the springs' stiffnesses.
+struct Start {
+  std::vector<Coordinate> coordinates;
+  std::vector<double> stiffness;
+  std::size_t moved = 0;  // coordinates that were outside
+};
+
+Start start_of(const ElasticModel& model) {
+  const double lower = std::log(model.scene.stiffness_bounds[0]), upper = std::log(model.scene.stiffness_bounds[1]);
+  const double margin = kJustInside * (upper - lower);
+  Start start;
+  start.stiffness = model.scene.initial_stiffness;
+  model.parameters.average(start.stiffness);
+  std::vector<double> x(model.parameters.size());
+  model.parameters.coordinates(model.scene.initial_stiffness, x);
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const bool outside = !within_bounds(x[i], lower, upper);
+    if (outside) ++start.moved;
+    const double keep_off = outside ? margin : 0.0;
+    const double inside = std::clamp(x[i], lower + keep_off, upper - keep_off);
+    start.coordinates.push_back({model.parameters.name(i), lower, upper, inside});
+    if (outside && model.scene.fit_refusal.empty())
+      for (const std::size_t e : model.parameters.springs_of(i))
+        start.stiffness[e] = model.parameters.stiffness_at(inside);
+  }
+  return start;
+}
+
+std::shared_ptr<const PriorTerm> prior_of(const ElasticModel& model, const Start& start) {
+  const std::optional<Prior>& prior = model.scene.prior;
+  if (!prior) return nullptr;
+  return std::make_shared<PriorTerm>(model.parameters, prior->about.empty() ? start.stiffness : prior->about);
+}
+
+std::vector<WeightedTerm> fitted_terms(const ElasticModel& model, const std::shared_ptr<const PriorTerm>& prior) {
+  std::vector<WeightedTerm> terms = {{std::make_shared<DisplacementTerm>(model)}};
+  if (prior) terms.push_back({prior, model.scene.prior->weight});
+  return terms;
+}
+
 }  // namespace
 
 struct ElasticProblem::Data {
-  Data(Scene scene, Account said) : model(std::move(scene)), account(std::move(said)) {
-    const double lower = std::log(model.scene.stiffness_bounds[0]), upper = std::log(model.scene.stiffness_bounds[1]);
-    const double margin = kJustInside * (upper - lower);
-    start_stiffness = model.scene.initial_stiffness;
-    model.parameters.average(start_stiffness);
-    std::vector<double> start(model.parameters.size());
-    model.parameters.coordinates(model.scene.initial_stiffness, start);
-    std::vector<Coordinate> coordinates;
-    for (std::size_t i = 0; i < start.size(); ++i) {
-      const bool outside = !within_bounds(start[i], lower, upper);
-      if (outside) ++moved_starts;
-      const double keep_off = outside ? margin : 0.0;
-      const double inside = std::clamp(start[i], lower + keep_off, upper - keep_off);
-      coordinates.push_back({model.parameters.name(i), lower, upper, inside});
-      if (outside && model.scene.fit_refusal.empty())
-        for (const std::size_t e : model.parameters.springs_of(i))
-          start_stiffness[e] = model.parameters.stiffness_at(inside);
-    }
-    space = Space(coordinates);
+  Data(Scene scene, Account said)
+      : model(std::move(scene)),
+        account(std::move(said)),
+        start(start_of(model)),
+        prior(prior_of(model, start)),
+        objective(fitted_terms(model, prior)),
+        space(start.coordinates) {
     // Part of the problem where values need it: trials, each in a process of its own, must not pay for it again.
     if (values_by_lanes(model)) (void)model.lanes();
     tell_of(model, account);
@@ -52,10 +82,10 @@ struct ElasticProblem::Data {
 
   ElasticModel model;
   Account account;
-  Objective objective{{{std::make_shared<DisplacementTerm>(model)}}};
+  Start start;
+  std::shared_ptr<const PriorTerm> prior;  // or none
+  Objective objective;
   Space space;
-  std::vector<double> start_stiffness;
-  std::size_t moved_starts = 0;
   std::unique_ptr<const show::ElasticExhibit> exhibit;
 };
 
@@ -75,9 +105,11 @@ Abilities ElasticProblem::abilities() const { return data_->objective.abilities(
 
 std::string ElasticProblem::fit_refusal() const { return scene().fit_refusal; }
 
-const std::vector<double>& ElasticProblem::start_stiffness() const noexcept { return data_->start_stiffness; }
+const std::vector<double>& ElasticProblem::start_stiffness() const noexcept { return data_->start.stiffness; }
 
 std::size_t ElasticProblem::residual_count() const { return data_->objective.residual_count(); }
+
+std::size_t ElasticProblem::data_residual_count() const noexcept { return data_->model.residual_count; }
 
 std::unique_ptr<Evaluator> ElasticProblem::make_evaluator() const {
   return std::make_unique<ElasticEvaluator>(data_->model.parameters, data_->objective);
@@ -97,6 +129,12 @@ std::vector<double> ElasticProblem::stiffness(std::span<const double> x) const {
   return k;
 }
 
+PriorShare ElasticProblem::prior_share(double data_cost, std::span<const double> stiffness) const {
+  const Evaluation seen = data_->prior->make_evaluator()->audit({stiffness});
+  const double weight = scene().prior->weight, cost = weight * seen.cost;
+  return {weight, 2.0 * seen.cost, cost, quality(data_cost + cost)};
+}
+
 State ElasticProblem::solve(std::span<const double> stiffness) const {
   State state;
   if (stiffness.size() != parameters().springs())
@@ -112,6 +150,7 @@ State ElasticProblem::solve(std::span<const double> stiffness) const {
   const double cost = data_->model.cost(evaluation.squared());
   state.quality = quality(cost);
   state.relative_error = relative_error(cost).value_or(0.0);
+  if (data_->prior) state.prior = prior_share(cost, stiffness);
   state.health.findings = {spread_of(stiffness)};
   const double unit = data_->model.displacement_unit;
   state.loads.resize(scene().loads.loads.size());
@@ -165,9 +204,9 @@ std::vector<std::string> ElasticProblem::remarks() const {
                                 residual_count(), factor_entries, factor_entries * 8.0 / 1048576.0, jacobian_mib));
   if (!s.fit_refusal.empty())
     remarks.push_back("it can be evaluated, but not fitted or compared: " + s.fit_refusal);
-  else if (data_->moved_starts > 0)
+  else if (data_->start.moved > 0)
     remarks.push_back(fmt::format("the start of {} of {} coordinates was outside the bounds and moved just inside",
-                                  data_->moved_starts, parameters().size()));
+                                  data_->start.moved, parameters().size()));
   const bool pulled = std::ranges::any_of(s.loads.loads, [](const LoadCase& load) {
     return std::ranges::any_of(load.forces, [](double f) { return f != 0.0; });
   });

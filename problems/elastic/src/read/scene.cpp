@@ -156,6 +156,17 @@ void read_quality(const Options& options, Scene& scene) {
   require_something_to_fit(scene, source, measured ? reference.at("file").source : reference.values().source, measured);
 }
 
+void read_prior(const Options& options, Scene& scene, Account& account) {
+  const char* const stage = "prior";
+  if (!options.has("prior")) return account.left_out(stage, "fits answer to the displacements alone");
+  if (!scene.has_reference) return account.left_out(stage, "without a reference nothing is fitted");
+  const double weight = options.table("prior").number("weight");
+  scene.prior = Prior{weight, {}};
+  account.used(stage, fmt::format("½ · {:g} · mean over {} springs of ln²(k/k_start) is added to the cost; k_start is "
+                                  "the initial stiffness, tied and within bounds",
+                                  weight, scene.net.springs.size()));
+}
+
 }  // namespace
 
 MadeScene make_scene(const Options& options, const ProblemContext& context) {
@@ -186,6 +197,7 @@ MadeScene make_scene(const Options& options, const ProblemContext& context) {
   account.used("bounds",
                fmt::format("{:.6g} to {:.6g} N/m: {}", bounds.stiffness[0], bounds.stiffness[1], bounds.origin));
   read_start({springs, context, study, paper, bounds.origin, account}, scene);
+  read_prior(options, scene, account);
   if (scene.has_reference && !options.table("reference").has("file")) tell_of_poisson(scene, !one_to_one, account);
   return made;
 }

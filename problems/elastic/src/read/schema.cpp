@@ -129,6 +129,18 @@ OptionSchema weight_fields() {
           weight("corner", 15.0, "of corners")};
 }
 
+Option prior_option() {
+  return {.name = "prior",
+          .type = OptionType::table,
+          .help = "a wish beside the data: stiffnesses near those of the start, which decides what the data leave open",
+          .fields = {{.name = "weight",
+                      .type = OptionType::number,
+                      .required = true,
+                      .minimum = 0.0,
+                      .minimum_excluded = true,
+                      .help = "w of cost = ½ [(relative error)² + w · mean over springs of ln²(k/k_start)]"}}};
+}
+
 Option table(const char* name, const char* help, OptionSchema fields) {
   return {.name = name, .type = OptionType::table, .default_value = Value(), .help = help, .fields = std::move(fields)};
 }
@@ -146,6 +158,7 @@ OptionSchema elastic_schema() {
       table("reference", "the displacements to be matched", reference_fields()),
       table("quality", "how displacements are compared: G of eq. (12)",
             {table("weights", "of squared differences", weight_fields())}),
+      prior_option(),
       table("equilibrium", "how equilibria are solved",
             {{.name = "method",
               .type = OptionType::text,

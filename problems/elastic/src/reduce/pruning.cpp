@@ -56,6 +56,10 @@ MadeScene with_springs(const ElasticProblem& problem, const Pruned& pruned) {
   Scene scene = problem.scene();
   ParameterRule rule("listed");
   std::vector<Spring> springs;
+  // A prior stays about what it was: the start of the pruned system is the fitted one.
+  std::vector<double> about;
+  const bool prior = scene.prior.has_value();
+  const std::vector<double> was = prior && !scene.prior->about.empty() ? scene.prior->about : problem.start_stiffness();
   for (std::size_t e = 0, gone = 0; e < scene.net.springs.size(); ++e) {
     if (gone < pruned.removed.size() && pruned.removed[gone] == e) {
       ++gone;
@@ -63,7 +67,9 @@ MadeScene with_springs(const ElasticProblem& problem, const Pruned& pruned) {
     }
     springs.push_back(scene.net.springs[e]);
     rule.group_of_spring.push_back(problem.parameters().group_name(e));
+    about.push_back(was[e]);
   }
+  if (prior) scene.prior->about = std::move(about);
   scene.parameter_rule = problem.scene().parameter_rule.name == "each" ? ParameterRule("each") : rule;
   scene.net.springs = std::move(springs);
   scene.net.grid = {};

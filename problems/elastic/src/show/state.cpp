@@ -78,6 +78,15 @@ Value undetermined_json(const ElasticProblem& problem, std::span<const double> s
   return Value(std::move(list));
 }
 
+Value prior_json(const PriorShare& prior) {
+  Value table;
+  table.set("weight", prior.weight);
+  table.set("mean_square", prior.mean_square);
+  table.set("cost", prior.cost);
+  table.set("quality", prior.quality);
+  return table;
+}
+
 double largest(const std::vector<double>& values) {
   double most = 0.0;
   for (const double v : values) most = std::max(most, std::abs(v));
@@ -117,6 +126,7 @@ Value state_json(const std::string& label, const ElasticProblem& problem, std::s
     result.set("quality", state.quality);
     result.set("relative_error", state.relative_error);
   }
+  if (state.prior) result.set("prior", prior_json(*state.prior));
   result.set("loads", Value(std::move(loads)));
   result.set("health", health_json(state.health));
   if (Value undetermined = undetermined_json(problem, stiffness); !undetermined.list().empty())
@@ -137,6 +147,9 @@ std::string accuracy_text(const Health& health) {
 std::string compared_text(const ElasticProblem& problem, std::span<const double> stiffness, const State& state) {
   std::string text = fmt::format("relative error {:.6g}, G {:.10g}, k_max/k_min {:.4g}\n", state.relative_error,
                                  state.quality, spread_of(stiffness).value);
+  if (const std::optional<PriorShare>& prior = state.prior)
+    text += fmt::format("prior of weight {:g}: ln(k/k_start) is {:.4g} in the root mean square; a fit sees G {:.10g}\n",
+                        prior->weight, std::sqrt(prior->mean_square), prior->quality);
   text += accuracy_text(state.health);
   text +=
       fmt::format("{} ({:.6g} to {:.6g} N/m)\n", at_bounds_text(problem.space(), coordinates_at(problem, stiffness)),

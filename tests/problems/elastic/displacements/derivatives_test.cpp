@@ -160,7 +160,10 @@ INSTANTIATE_TEST_SUITE_P(
                     block("block_face_cholmod", {.topology = "single", .solver = "simplicial"}),
                     block("block_minimal_lanes", {.counts = "[2, 3, 4]", .supports = "minimal", .solver = "lanes"}),
                     block("block_symmetric_cholmod",
-                          {.topology = "faces", .parameters = "symmetric", .solver = "supernodal"})),
+                          {.topology = "faces", .parameters = "symmetric", .solver = "supernodal"}),
+                    plate("prior", {.more = "prior = { weight = 0.1 }\n"}),
+                    plate("prior_tied", {.parameters = "symmetric", .more = "prior = { weight = 10 }\n"}),
+                    block("block_prior", {.supports = "minimal", .more = "prior = { weight = 0.1 }\n"})),
     [](const auto& p) { return p.param.name; });
 
 }  // namespace

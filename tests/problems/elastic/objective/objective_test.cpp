@@ -147,7 +147,7 @@ TEST_F(Objectives, EvaluateWhatIsHeldOutAtAuditsOnly) {
   EXPECT_DOUBLE_EQ(findings[0].value, std::sqrt(2.0 * its.value(x).cost));
 }
 
-TEST_F(Objectives, WalkOnlyWhereOneTermHasAWalk) {
+TEST_F(Objectives, WalkOnlyWhereEveryTermHasAWalk) {
   EXPECT_TRUE(problem->abilities().moves);
   EXPECT_NE(problem->make_evaluator()->moves(), nullptr);
   const auto first = wish(2.0, 0.5), second = wish(0.1, 3.0);

@@ -3,10 +3,11 @@
 
 /// Which stiffnesses the data say anything about: a fit can look perfect while some of its springs are arbitrary.
 ///
-/// Of the Jacobian J of the residuals in ln k, at given stiffnesses: a coordinate is undetermined when a direction in
-/// the null space of J moves it. Then it can change by any factor, alone or with others, and to first order no
-/// residual does. The null space is that of the singular values below 1e-9 of the largest: a change of ln k by 1 that
-/// moves the displacements by so little is below what J itself is computed to, and below any measurement.
+/// Of the Jacobian J of the data's residuals in ln k, at given stiffnesses: a coordinate is undetermined when a
+/// direction in the null space of J moves it. Then it can change by any factor, alone or with others, and to first
+/// order no residual does. The null space is that of the singular values below 1e-9 of the largest: a change of ln k by
+/// 1 that moves the displacements by so little is below what J itself is computed to, and below any measurement. A
+/// prior is no measurement: what it alone decides is undetermined.
 ///
 /// Cost     residuals × coordinates × the lesser of both; above kMostDeterminationWork nothing but the numbers are
 ///          compared.

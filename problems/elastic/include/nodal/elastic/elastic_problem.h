@@ -5,6 +5,9 @@
 ///
 /// G² = Σ_loads Σ_nodes w_node |u − u_ref|² (eq. 12); relative error = G/‖u_ref‖_W; cost = ½ (relative error)².
 /// Residuals are √w (u − u_ref)/‖u_ref‖_W on the free freedoms, load by load, freedoms ascending.
+/// With a prior of weight w the cost is ½ [(relative error)² + w · mean over springs of ln²(k/k_0)], and the springs'
+/// residuals √(w/n) ln(k/k_0) come after the data's. `quality` and `relative_error` of such a cost have the prior's
+/// share in them; those of the displacements alone are had from Health::data_cost.
 /// Coordinates are ln k (parameters.h) within bounds.
 ///
 /// Threads  immutable; `solve` makes its own workspace.
@@ -31,6 +34,8 @@ class ElasticProblem final : public Problem {
   [[nodiscard]] const Space& space() const override;
   [[nodiscard]] Abilities abilities() const override;
   [[nodiscard]] std::size_t residual_count() const override;
+  /// How many of the residuals, the first, are the data's; the others are a prior's.
+  [[nodiscard]] std::size_t data_residual_count() const noexcept;
   [[nodiscard]] std::unique_ptr<Evaluator> make_evaluator() const override;
   [[nodiscard]] double quality(double cost) const override;
   [[nodiscard]] std::optional<double> relative_error(double cost) const override;
@@ -56,6 +61,8 @@ class ElasticProblem final : public Problem {
   [[nodiscard]] State solve(std::span<const double> stiffness) const;
 
  private:
+  [[nodiscard]] PriorShare prior_share(double data_cost, std::span<const double> stiffness) const;
+
   struct Data;
   std::unique_ptr<Data> data_;
 };

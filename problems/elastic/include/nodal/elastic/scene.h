@@ -8,6 +8,7 @@
 
 #include <array>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,6 +32,12 @@ struct MovesOptions {
   std::string instructions = "auto";  ///< of the lane kernels: auto, or one of lane_instructions()
 };
 
+/// A wish beside the data: ½ weight · mean over springs of ln²(k/k_0) is added to the cost (objective/prior_term.h).
+struct Prior {
+  double weight = 1.0;             ///< > 0
+  std::vector<double> about = {};  ///< [springs] k_0; empty: the stiffnesses that the problem starts from
+};
+
 /// Everything that defines the problem, already consistent.
 struct Scene {
   Net net;
@@ -40,6 +47,7 @@ struct Scene {
   ParameterRule parameter_rule;
   std::vector<double> initial_stiffness;  ///< [springs], before tying and before moving inside the bounds
   std::array<double, 2> stiffness_bounds = {0.0, std::numeric_limits<double>::infinity()};  ///< N/m
+  std::optional<Prior> prior = {};
   bool has_reference = true;    ///< false: only to be solved, there is nothing to compare displacements with
   std::string fit_refusal;      ///< why it can be evaluated, but not fitted; empty ordinarily
   std::string solver = "auto";  ///< auto | lanes | simplicial | supernodal

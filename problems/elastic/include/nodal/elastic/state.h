@@ -6,6 +6,7 @@
 /// Units    N, m.
 /// Threads  plain values.
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,11 +27,20 @@ struct LoadState {
   std::vector<double> bearing;  ///< force on each support (eq. 11)
 };
 
+/// What a prior makes of a system.
+struct PriorShare {
+  double weight = 0.0;
+  double mean_square = 0.0;  ///< mean over springs of ln²(k/k_0)
+  double cost = 0.0;         ///< ½ weight · mean_square
+  double quality = 0.0;      ///< what a fit sees: G with the prior's share, Problem::quality of the whole cost
+};
+
 struct State {
   Status status = Status::invalid_input;
   std::string message;                         ///< for another status than ok: what is wrong, with the node or spring
-  double quality = 0.0, relative_error = 0.0;  ///< both 0 without a reference
+  double quality = 0.0, relative_error = 0.0;  ///< of the displacements; both 0 without a reference
   std::vector<LoadState> loads;
+  std::optional<PriorShare> prior = {};  ///< where the study has one
   Health health;
 };
 
