@@ -304,5 +304,24 @@ TEST(Options, RefusesAWrongTableOfAList) {
             "s.toml:1: 'forces' of optimizer 'toy' must be a list of tables, not a table");
 }
 
+// Not only a text may be a table instead.
+TEST(Options, TakeAListOrATable) {
+  const OptionSchema schema = {{.name = "bounds",
+                                .type = OptionType::number_list,
+                                .length = 2,
+                                .fields = {{.name = "factor", .required = true, .minimum = 1.0}},
+                                .or_table = true}};
+  const auto resolved = [&](std::string_view json) {
+    return resolve_options(schema, parse_json(json, "s.toml"), "optimizer 'toy'");
+  };
+  EXPECT_EQ(resolved(R"({"bounds": [1, 2]})").numbers("bounds"), (std::vector<double>{1.0, 2.0}));
+  EXPECT_EQ(resolved(R"({"bounds": {"factor": 4}})").table("bounds").number("factor"), 4.0);
+  const auto message = [&](std::string_view json) { return toy::message_of([&] { (void)resolved(json); }); };
+  EXPECT_EQ(message(R"({"bounds": 3})"),
+            "s.toml:1: 'bounds' of optimizer 'toy' must be a list of numbers or a table, not an integer");
+  EXPECT_EQ(message(R"({"bounds": {"factor": 0}})"),
+            "s.toml:1: 'factor' of 'bounds' of optimizer 'toy' is 0; allowed: factor ≥ 1");
+}
+
 }  // namespace
 }  // namespace nodal

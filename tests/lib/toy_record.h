@@ -32,13 +32,7 @@ inline TrialRecord full_record() {
   r.conditions = Conditions{"89abcdef01234567", "A Processor @ 3 GHz", 3, 2, true, true};
   r.trace = {{0, 1e-6, 1, 3.5}, {41, 0.4, 40, 0.2}};
   r.claimed = ClaimRecord{0.1, true, 44, "XTOL_REACHED"};
-  r.health = {.error_estimate = 1e-12,
-              .cost_error = 5e-17,
-              .residual = 2e-16,
-              .drift = 3e-10,
-              .data_cost = std::nullopt,
-              .refused = 2,
-              .findings = {{"spread", 1e4}}};
+  r.health = {1e-12, 5e-17, 2e-16, 3e-10, 2, {{"spread", 1e4}}};
   r.unseen = UnseenRecord{{"bend-x", "bend-y"},
                           {{{0, 1e-6, 1, 3.5}, {0.5, 0.25}}, {{41, 0.4, 40, 0.2}, {1e-3, 2.5}}},
                           1,

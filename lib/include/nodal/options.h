@@ -50,7 +50,7 @@ struct Option {
   std::vector<std::string> choices = {};        ///< of a text; empty is any text
   std::string help = {};                        ///< one line: what it means and why this default
   std::vector<Option> fields = {};              ///< of a table, or of each of a list
-  bool or_table = false;                        ///< a text option that may be a table with `fields` instead
+  bool or_table = false;                        ///< it may be a table with `fields` instead
 };
 
 using OptionSchema = std::vector<Option>;

@@ -56,7 +56,7 @@ std::string system_json(const Net& net, const std::vector<double>& stiffness, co
 
 std::string system_json(const ElasticProblem& problem, const std::vector<double>& stiffness) {
   SystemDetails details;
-  details.bounds = problem.scene().stiffness_bounds;
+  details.bounds = problem.scene().stiffness_bounds.envelope();
   details.groups = every_group(problem);
   return system_json(problem.net(), stiffness, details);
 }

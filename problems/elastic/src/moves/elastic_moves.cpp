@@ -125,7 +125,7 @@ Evaluation ElasticMoves::propose(std::size_t i, double value) {
   if (i >= springs_.size()) [[unlikely]]
     throw std::out_of_range("Moves::propose: no such coordinate");
   acceptable_ = false;
-  const double stiffness = model_.parameters.stiffness_at(value);
+  const double stiffness = model_.parameters.stiffness_at(i, value);
   if (!usable_stiffness(stiffness)) [[unlikely]]
     return {Status::invalid_input, 0.0};
   ++proposed_;

@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <set>
+#include <stdexcept>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -148,14 +150,30 @@ ParameterRule listed_rule(const Net& net, const std::vector<SpringGroup>& groups
   return rule;
 }
 
-Parameters::Parameters(const Net& net, const ParameterRule& rule, const std::array<double, 2>& bounds)
-    : bounds_(bounds) {
+Parameters::Limits::Limits(const StiffnessBounds::Pair& pair) : bounds(pair) {
   constexpr double kUlps = 4.0 * std::numeric_limits<double>::epsilon();
   for (std::size_t side = 0; side < 2; ++side) {
-    ln_bounds_[side] = std::log(bounds[side]);
-    rounding_[side] = std::isfinite(ln_bounds_[side]) ? kUlps * std::max(1.0, std::abs(ln_bounds_[side])) : 0.0;
+    logarithms[side] = std::log(bounds[side]);
+    rounding[side] = std::isfinite(logarithms[side]) ? kUlps * std::max(1.0, std::abs(logarithms[side])) : 0.0;
   }
-  between_ = {ln_bounds_[0] + rounding_[0], ln_bounds_[1] - rounding_[1]};
+  between = {logarithms[0] + rounding[0], logarithms[1] - rounding[1]};
+}
+
+void Parameters::set_limits(const StiffnessBounds& bounds) {
+  if (bounds.shared()) {
+    limits_.emplace_back(bounds.of(0));
+    return;
+  }
+  limits_stride_ = 1;
+  for (std::size_t i = 0; i < size(); ++i) {
+    const std::span<const std::size_t> tied = springs_of(i);
+    limits_.emplace_back(bounds.of(tied.front()));
+    if (std::ranges::any_of(tied, [&](std::size_t e) { return bounds.of(e) != bounds.of(tied.front()); }))
+      throw std::invalid_argument("springs that are tied must have the same bounds");
+  }
+}
+
+Parameters::Parameters(const Net& net, const ParameterRule& rule, const StiffnessBounds& bounds) {
   // Coordinates in the order of their first springs. Rounded ranges may read the same: names are told apart by a
   // number.
   const Tied tied = elastic::tie(net, rule);
@@ -177,6 +195,7 @@ Parameters::Parameters(const Net& net, const ParameterRule& rule, const std::arr
   first_.assign(size() + 1, 0);
   for (const std::size_t g : group_) ++first_[g + 1];
   std::partial_sum(first_.begin(), first_.end(), first_.begin());
+  set_limits(bounds);
 }
 
 std::span<const std::size_t> Parameters::springs_of(std::size_t coordinate) const {
@@ -198,19 +217,19 @@ std::size_t Parameters::largest_group() const noexcept {
   return largest;
 }
 
-double Parameters::stiffness_at_bound(double x) const noexcept {
+double Parameters::stiffness_at_bound(const Limits& limits, double x) noexcept {
   for (std::size_t side = 0; side < 2; ++side)
-    if (std::abs(x - ln_bounds_[side]) <= rounding_[side]) return bounds_[side];
+    if (std::abs(x - limits.logarithms[side]) <= limits.rounding[side]) return limits.bounds[side];
   return std::exp(x);
 }
 
 void Parameters::stiffness(std::span<const double> coordinates, std::span<double> stiffness) const {
   if (one_to_one()) {
-    for (std::size_t e = 0; e < springs(); ++e) stiffness[e] = stiffness_at(coordinates[e]);
+    for (std::size_t e = 0; e < springs(); ++e) stiffness[e] = stiffness_at(e, coordinates[e]);
     return;
   }
   for (std::size_t g = 0; g < size(); ++g) {
-    const double k = stiffness_at(coordinates[g]);
+    const double k = stiffness_at(g, coordinates[g]);
     for (const std::size_t e : springs_of(g)) stiffness[e] = k;
   }
 }

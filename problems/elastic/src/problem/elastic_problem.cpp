@@ -33,22 +33,22 @@ struct Start {
 };
 
 Start start_of(const ElasticModel& model) {
-  const double lower = std::log(model.scene.stiffness_bounds[0]), upper = std::log(model.scene.stiffness_bounds[1]);
-  const double margin = kJustInside * (upper - lower);
   Start start;
   start.stiffness = model.scene.initial_stiffness;
   model.parameters.average(start.stiffness);
   std::vector<double> x(model.parameters.size());
   model.parameters.coordinates(model.scene.initial_stiffness, x);
   for (std::size_t i = 0; i < x.size(); ++i) {
+    const StiffnessBounds::Pair& bounds = model.scene.stiffness_bounds.of(model.parameters.springs_of(i).front());
+    const double lower = std::log(bounds[0]), upper = std::log(bounds[1]);
     const bool outside = !within_bounds(x[i], lower, upper);
     if (outside) ++start.moved;
-    const double keep_off = outside ? margin : 0.0;
+    const double keep_off = outside ? kJustInside * (upper - lower) : 0.0;
     const double inside = std::clamp(x[i], lower + keep_off, upper - keep_off);
     start.coordinates.push_back({model.parameters.name(i), lower, upper, inside});
     if (outside && model.scene.fit_refusal.empty())
       for (const std::size_t e : model.parameters.springs_of(i))
-        start.stiffness[e] = model.parameters.stiffness_at(inside);
+        start.stiffness[e] = model.parameters.stiffness_at(i, inside);
   }
   return start;
 }

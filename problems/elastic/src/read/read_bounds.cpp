@@ -13,12 +13,11 @@ namespace nodal::elastic {
 
 namespace {
 
-std::array<double, 2> times(const std::array<double, 2>& bounds, double unit, const Source& source,
-                            const std::string& what) {
+StiffnessBounds times(const std::array<double, 2>& bounds, double unit, const Source& source, const std::string& what) {
   const std::array<double, 2> scaled = {bounds[0] * unit, bounds[1] * unit};
   if (!std::isnormal(scaled[0]) || !std::isnormal(scaled[1]))
     throw InputError(source, fmt::format("'bounds' × {} leaves the range of double precision", what));
-  return scaled;
+  return {scaled[0], scaled[1]};
 }
 
 std::array<double, 2> of_study(const Options& springs) {
@@ -56,10 +55,13 @@ std::pair<double, std::string> typical(const Options& springs, const ProblemCont
 
 }  // namespace
 
-ChosenBounds read_bounds(const Options& springs, const ProblemContext& context, const StudyNet& study,
-                         BestPaperStart& paper, const Scene& scene) {
+namespace {
+
+// Of a study whose list of bounds counts, if it has one.
+ChosenBounds choose(const Options& springs, const ProblemContext& context, const StudyNet& study, BestPaperStart& paper,
+                    const Scene& scene) {
   const bool own = springs.has("file");
-  const bool given = springs.has("bounds");
+  const bool given = springs.has("bounds") && springs.at("bounds").is_list();
   const Source& source = given ? springs.at("bounds").source : springs.values().source;
   if (given || !own) {
     const std::array<double, 2> bounds = given ? of_study(springs) : kDefaultBounds;
@@ -69,10 +71,32 @@ ChosenBounds read_bounds(const Options& springs, const ProblemContext& context, 
     return {times(bounds, scene.material.young * length, source, unit),
             fmt::format("[{}, {}] × {}", bounds[0], bounds[1], unit)};
   }
-  if (study.bounds) return {*study.bounds, "as the file of springs says"};
+  if (study.bounds) return {{(*study.bounds)[0], (*study.bounds)[1]}, "as the file of springs says"};
   const auto [typical_stiffness, of_what] = typical(springs, context, study, paper, scene);
   return {times(kDefaultBounds, typical_stiffness, source, "the springs' stiffnesses"),
           fmt::format("[{}, {}] × the geometric mean of {}", kDefaultBounds[0], kDefaultBounds[1], of_what)};
+}
+
+}  // namespace
+
+ChosenBounds read_bounds(const Options& springs, const ProblemContext& context, const StudyNet& study,
+                         BestPaperStart& paper, const Scene& scene) {
+  ChosenBounds bounds = choose(springs, context, study, paper, scene);
+  if (springs.has("bounds") && springs.at("bounds").is_table())
+    bounds.around_start = springs.table("bounds").number("factor");
+  return bounds;
+}
+
+ChosenBounds bounds_around_start(const Options& springs, const Scene& scene, double factor) {
+  std::vector<double> start = scene.initial_stiffness;
+  Parameters(scene.net, scene.parameter_rule).average(start);
+  const StiffnessBounds bounds = StiffnessBounds::around(start, factor);
+  const auto [lowest, highest] = bounds.envelope();
+  if (!std::isnormal(lowest) || !std::isnormal(highest))
+    throw InputError(
+        springs.at("bounds").source,
+        fmt::format("'bounds' by a factor of {:g} around the start leaves the range of double precision", factor));
+  return {bounds, fmt::format("[k_start/{0:g}, {0:g} k_start] around the start", factor), factor};
 }
 
 }  // namespace nodal::elastic

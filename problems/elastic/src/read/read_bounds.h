@@ -8,9 +8,11 @@
 ///     of springs from a file, which needn't have a material,
 ///         those that the file says (a system file that a fit has written);
 ///         else [1e-4, 1e2] × the geometric mean of the stiffnesses that their file or that of their start says;
-///         else [1e-4, 1e2] × the geometric mean of the start by `paper` at its best factor.
+///         else [1e-4, 1e2] × the geometric mean of the start by `paper` at its best factor;
+///     around the start where the study's `bounds` is a table: [k/factor, k · factor] of every stiffness k that a fit
+///     starts from. These are there once the start is; until then a rule that needs bounds has those above.
 
-#include <array>
+#include <optional>
 #include <string>
 
 #include <nodal/elastic/scene.h>
@@ -21,12 +23,16 @@
 namespace nodal::elastic {
 
 struct ChosenBounds {
-  std::array<double, 2> stiffness;  ///< N/m
-  std::string origin;               ///< who chose them, in a phrase
+  StiffnessBounds stiffness;                ///< N/m
+  std::string origin;                       ///< who chose them, in a phrase
+  std::optional<double> around_start = {};  ///< the factor of bounds that the start is needed for
 };
 
 /// For a scene whose net, loads and material are there. InputError for bounds that are none.
 [[nodiscard]] ChosenBounds read_bounds(const Options& springs, const ProblemContext& context, const StudyNet& study,
                                        BestPaperStart& paper, const Scene& scene);
+
+/// Bounds around the start of a scene that has one. InputError where they leave the range of double precision.
+[[nodiscard]] ChosenBounds bounds_around_start(const Options& springs, const Scene& scene, double factor);
 
 }  // namespace nodal::elastic

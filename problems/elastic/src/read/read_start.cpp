@@ -20,16 +20,17 @@ namespace {
 
 // A start of the user's own may be evaluated outside the bounds, but not fitted from there; a rule's is moved inside
 // (elastic_problem.cpp).
-void require_within_bounds(const std::vector<double>& k, const Source& source, const std::string& bounds_origin,
+void require_within_bounds(const std::vector<double>& k, const Source& source, const ChosenBounds& bounds,
                            Scene& scene) {
-  const auto [lower, upper] = scene.stiffness_bounds;
+  if (bounds.around_start) return;
+  const auto [lower, upper] = scene.stiffness_bounds.envelope();
   for (std::size_t e = 0; e < k.size() && scene.fit_refusal.empty(); ++e) {
     if (within_bounds(std::log(k[e]), std::log(lower), std::log(upper))) continue;
     const Spring& spring = scene.net.springs[e];
     const InputError refusal(source, fmt::format("the start's spring ({}, {}) has stiffness {}, outside the bounds "
                                                  "[{}, {}] ({}); change the file or springs = {{ bounds = … }}",
                                                  scene.net.id(spring.first), scene.net.id(spring.second), k[e], lower,
-                                                 upper, bounds_origin));
+                                                 upper, bounds.origin));
     scene.fit_refusal = refusal.what();
   }
 }
@@ -69,7 +70,7 @@ std::string read_default_start(const StartRequest& request, Scene& scene) {
   const std::vector<double>& of_file = request.study.stiffness;
   if (!of_file.empty()) {
     scene.initial_stiffness = of_file;
-    require_within_bounds(of_file, springs.at("file").source, request.bounds_origin, scene);
+    require_within_bounds(of_file, springs.at("file").source, request.bounds, scene);
     return "as the file of springs says";
   }
   if (springs.has("file") && !scene.has_reference)
@@ -117,7 +118,7 @@ std::string read_given_start(const StartRequest& request, Scene& scene) {
     if (table.has("scale")) throw InputError(initial.source, "'scale' belongs to a rule; a file is taken as it is");
     InputFiles& files = request.context.files;
     scene.initial_stiffness = read_back(system_formats(), files, named_file(files, table.at("file")), scene.net);
-    require_within_bounds(scene.initial_stiffness, initial.source, request.bounds_origin, scene);
+    require_within_bounds(scene.initial_stiffness, initial.source, request.bounds, scene);
     return "file " + table.text("file");
   }
   scene.initial_stiffness = stiffness_by_rule(table.text("rule"), initial.source, scene);

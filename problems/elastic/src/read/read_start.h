@@ -8,6 +8,7 @@
 
 #include <nodal/elastic/scene.h>
 
+#include "read/read_bounds.h"
 #include "read/read_net.h"
 #include "starts/paper_start.h"
 
@@ -18,7 +19,7 @@ struct StartRequest {
   const ProblemContext& context;
   const StudyNet& study;
   BestPaperStart& paper;
-  const std::string& bounds_origin;  ///< who chose the bounds, for whoever starts outside of them
+  const ChosenBounds& bounds;  ///< for whoever starts outside of them; around the start nothing does
   Account& account;
 };
 

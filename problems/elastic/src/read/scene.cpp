@@ -192,11 +192,14 @@ MadeScene make_scene(const Options& options, const ProblemContext& context) {
   const bool one_to_one = Parameters(scene.net, scene.parameter_rule).one_to_one();
   scene.moves = read_moves(options.table("moves"), scene, one_to_one);
   BestPaperStart paper;
+  const auto take = [&](const ChosenBounds& bounds) {
+    scene.stiffness_bounds = bounds.stiffness;
+    account.used("bounds", describe(bounds.stiffness) + ": " + bounds.origin);
+  };
   const ChosenBounds bounds = read_bounds(springs, context, study, paper, scene);
-  scene.stiffness_bounds = bounds.stiffness;
-  account.used("bounds",
-               fmt::format("{:.6g} to {:.6g} N/m: {}", bounds.stiffness[0], bounds.stiffness[1], bounds.origin));
-  read_start({springs, context, study, paper, bounds.origin, account}, scene);
+  take(bounds);
+  read_start({springs, context, study, paper, bounds, account}, scene);
+  if (bounds.around_start) take(bounds_around_start(springs, scene, *bounds.around_start));
   read_prior(options, scene, account);
   if (scene.has_reference && !options.table("reference").has("file")) tell_of_poisson(scene, !one_to_one, account);
   return made;

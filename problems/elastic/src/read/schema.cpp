@@ -60,6 +60,22 @@ OptionSchema initial_fields() {
   };
 }
 
+OptionSchema bounds_fields() {
+  return {
+      {.name = "around",
+       .type = OptionType::text,
+       .required = true,
+       .choices = {"start"},
+       .help = "start: the stiffness that each spring, or group of tied ones, starts from"},
+      {.name = "factor",
+       .type = OptionType::number,
+       .required = true,
+       .minimum = 1.0,
+       .minimum_excluded = true,
+       .help = "from the start's stiffness over this to the start's times this"},
+  };
+}
+
 // What is free, and where it starts.
 OptionSchema stiffness_fields() {
   return {
@@ -83,7 +99,9 @@ OptionSchema stiffness_fields() {
        .minimum = 0.0,
        .minimum_excluded = true,
        .length = 2,
-       .help = "lowest and highest stiffness of a spring"},
+       .help = "lowest and highest stiffness of a spring; or a table with 'around' and 'factor'",
+       .fields = bounds_fields(),
+       .or_table = true},
   };
 }
 

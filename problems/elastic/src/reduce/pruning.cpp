@@ -56,8 +56,9 @@ MadeScene with_springs(const ElasticProblem& problem, const Pruned& pruned) {
   Scene scene = problem.scene();
   ParameterRule rule("listed");
   std::vector<Spring> springs;
-  // A prior stays about what it was: the start of the pruned system is the fitted one.
+  // A prior and bounds stay about what they were: the start of the pruned system is the fitted one.
   std::vector<double> about;
+  std::vector<std::size_t> left;
   const bool prior = scene.prior.has_value();
   const std::vector<double> was = prior && !scene.prior->about.empty() ? scene.prior->about : problem.start_stiffness();
   for (std::size_t e = 0, gone = 0; e < scene.net.springs.size(); ++e) {
@@ -68,9 +69,11 @@ MadeScene with_springs(const ElasticProblem& problem, const Pruned& pruned) {
     springs.push_back(scene.net.springs[e]);
     rule.group_of_spring.push_back(problem.parameters().group_name(e));
     about.push_back(was[e]);
+    left.push_back(e);
   }
   if (prior) scene.prior->about = std::move(about);
   scene.parameter_rule = problem.scene().parameter_rule.name == "each" ? ParameterRule("each") : rule;
+  scene.stiffness_bounds = scene.stiffness_bounds.of_springs(left);
   scene.net.springs = std::move(springs);
   scene.net.grid = {};
   scene.net.triangles.clear();
@@ -89,7 +92,7 @@ std::vector<std::size_t> candidates_of(const Scene& scene, std::span<const doubl
   std::vector<double> energy(stiffness.size(), 0.0);
   for (std::size_t e = 0; e < stiffness.size(); ++e) {
     for (const LoadState& load : state.loads) energy[e] += load.spring_force[e] * load.spring_force[e] / stiffness[e];
-    if (stiffness[e] <= scene.stiffness_bounds[0] * (1.0 + kAtLowerBound)) candidates.push_back(e);
+    if (stiffness[e] <= scene.stiffness_bounds.of(e)[0] * (1.0 + kAtLowerBound)) candidates.push_back(e);
   }
   std::ranges::stable_sort(candidates, {}, [&](std::size_t e) { return energy[e]; });
   return candidates;

@@ -151,9 +151,8 @@ std::string compared_text(const ElasticProblem& problem, std::span<const double>
     text += fmt::format("prior of weight {:g}: ln(k/k_start) is {:.4g} in the root mean square; a fit sees G {:.10g}\n",
                         prior->weight, std::sqrt(prior->mean_square), prior->quality);
   text += accuracy_text(state.health);
-  text +=
-      fmt::format("{} ({:.6g} to {:.6g} N/m)\n", at_bounds_text(problem.space(), coordinates_at(problem, stiffness)),
-                  problem.scene().stiffness_bounds[0], problem.scene().stiffness_bounds[1]);
+  text += fmt::format("{} ({})\n", at_bounds_text(problem.space(), coordinates_at(problem, stiffness)),
+                      describe(problem.scene().stiffness_bounds));
   if (const std::string note = describe(determine(problem, stiffness), problem); !note.empty())
     text += "note: " + note + "\n";
   text += fmt::format("\n{:<12} {:>14} {:>24} {:>26}\n", "load", "G", "largest displacement [m]",

@@ -254,6 +254,6 @@ extern const StartRule kEnergyRule = {
     .name = "energy",
     .summary = "energy, the minimiser of a convex energy",
     .instead = "paper",
-    .make = [](const Scene& scene) { return energy_stiffness(scene, scene.stiffness_bounds); }};
+    .make = [](const Scene& scene) { return energy_stiffness(scene, scene.stiffness_bounds.envelope()); }};
 
 }  // namespace nodal::elastic

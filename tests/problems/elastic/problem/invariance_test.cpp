@@ -243,7 +243,7 @@ TEST_P(Invariance, FitEndsAtTheSameValue) {
 TEST(LeastEnergy, IsThatOfTheCopy) {
   const Scene scene = gear(true);
   const auto least_error = [](const Scene& of) {
-    return ElasticProblem(of).solve(energy_stiffness(of, of.stiffness_bounds)).relative_error;
+    return ElasticProblem(of).solve(energy_stiffness(of, of.stiffness_bounds.envelope())).relative_error;
   };
   const double error = least_error(scene);
   EXPECT_GT(error, 1e-3) << "a floor to compare";

@@ -80,8 +80,8 @@ TEST_F(OwnSystem, HasBoundsAboutItsStiffnesses) {
   const double mean = geometric_mean({27320.0, kRafter, 27320.0, 34150.0, kRafter});
   for (const char* material : {"", "material = { young = 68300.0 }\n"}) {
     const auto truss = read(material + king_post("file = \"springs.csv\""));
-    EXPECT_NEAR(truss->scene().stiffness_bounds[0], 1e-4 * mean, 1e-12 * mean);
-    EXPECT_NEAR(truss->scene().stiffness_bounds[1], 1e2 * mean, 1e-9 * mean);
+    EXPECT_NEAR(truss->scene().stiffness_bounds.envelope()[0], 1e-4 * mean, 1e-12 * mean);
+    EXPECT_NEAR(truss->scene().stiffness_bounds.envelope()[1], 1e2 * mean, 1e-9 * mean);
   }
 }
 
@@ -91,7 +91,7 @@ TEST_F(OwnSystem, WithoutStiffnessesHasBoundsAboutItsBestStart) {
   const auto truss = read(king_post("file = \"pairs.csv\""));
   const std::vector<double>& start = truss->start_stiffness();
   EXPECT_NEAR(start[1], kRafter, 1e-9 * kRafter);
-  EXPECT_NEAR(truss->scene().stiffness_bounds[1], 1e2 * geometric_mean(start), 1e-9 * start[1]);
+  EXPECT_NEAR(truss->scene().stiffness_bounds.envelope()[1], 1e2 * geometric_mean(start), 1e-9 * start[1]);
   EXPECT_EQ(truss->space().at_bounds(truss->space().start()), 0u);
 }
 
@@ -99,8 +99,8 @@ TEST_F(OwnSystem, WithoutStiffnessesHasBoundsAboutItsBestStart) {
 TEST_F(OwnSystem, TakesTheBoundsOfItsStudy) {
   const auto truss = read("material = { young = 68300.0 }\nbody = { shape = \"none\", thickness = 2 }\n" +
                           king_post("file = \"springs.csv\", bounds = [0.1, 10]"));
-  EXPECT_DOUBLE_EQ(truss->scene().stiffness_bounds[0], 0.1 * 68300.0 * 2);
-  EXPECT_DOUBLE_EQ(truss->scene().stiffness_bounds[1], 10 * 68300.0 * 2);
+  EXPECT_DOUBLE_EQ(truss->scene().stiffness_bounds.envelope()[0], 0.1 * 68300.0 * 2);
+  EXPECT_DOUBLE_EQ(truss->scene().stiffness_bounds.envelope()[1], 10 * 68300.0 * 2);
 }
 
 // A start of the user's own outside the bounds is evaluated as it is; a fit says what is wrong instead of moving it.

@@ -35,12 +35,12 @@ TEST(Bounds, AreStiffnessesExactly) {
       for (const double high : kBounds) {
         if (!(low < high)) continue;
         const Parameters parameters(net, rule, {low, high});
-        EXPECT_EQ(parameters.stiffness_at(std::log(low)), low);
-        EXPECT_EQ(parameters.stiffness_at(std::log(high)), high);
+        EXPECT_EQ(parameters.stiffness_at(0, std::log(low)), low);
+        EXPECT_EQ(parameters.stiffness_at(0, std::log(high)), high);
         for (double x = std::log(high), i = 0; i < 8; ++i, x = std::nextafter(x, -100.0))
-          EXPECT_LE(parameters.stiffness_at(x), high);
+          EXPECT_LE(parameters.stiffness_at(0, x), high);
         for (double x = std::log(low), i = 0; i < 8; ++i, x = std::nextafter(x, 100.0))
-          EXPECT_GE(parameters.stiffness_at(x), low);
+          EXPECT_GE(parameters.stiffness_at(0, x), low);
       }
 }
 
@@ -86,7 +86,7 @@ TEST(Export, AtABoundIsTheBoundOfEveryScene) {
       for (const bool upper : {false, true}) {
         const auto x = upper ? problem.space().upper() : problem.space().lower();
         const std::vector<double> k = problem.stiffness(x);
-        for (const double one : k) ASSERT_EQ(one, scene.stiffness_bounds[upper]) << path;
+        for (const double one : k) ASSERT_EQ(one, scene.stiffness_bounds.of(0)[upper]) << path;
         std::ofstream(file) << system_json(problem, k);
         const std::vector<double> read = read_stiffness_file(file, problem.net());
         ASSERT_EQ(read, k) << path;

@@ -134,8 +134,8 @@ TEST(BlockBounds, AreRelativeToYoungTimesTheMeanRestLength) {
   const auto block = make_block({.size = "[3, 2, 4]", .young = 2.5});
   double mean = 0.0;
   for (const Spring& s : block->net().springs) mean += s.length / static_cast<double>(block->net().springs.size());
-  EXPECT_NEAR(block->scene().stiffness_bounds[0], 1e-4 * 2.5 * mean, 1e-15);
-  EXPECT_NEAR(block->scene().stiffness_bounds[1], 1e2 * 2.5 * mean, 1e-9);
+  EXPECT_NEAR(block->scene().stiffness_bounds.envelope()[0], 1e-4 * 2.5 * mean, 1e-15);
+  EXPECT_NEAR(block->scene().stiffness_bounds.envelope()[1], 1e2 * 2.5 * mean, 1e-9);
 }
 
 }  // namespace

@@ -23,12 +23,12 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include <nodal/elastic/bounds.h>
 #include <nodal/elastic/net.h>
 
 namespace nodal::elastic {
@@ -58,9 +58,9 @@ struct SpringGroup {
 class Parameters {
  public:
   /// Refusal for an unknown name, options outside their range, a list of another length than the springs,
-  /// or `symmetric` on a net that has no symmetry. `bounds` are those of every stiffness, 0 ≤ lower < upper.
-  Parameters(const Net& net, const ParameterRule& rule,
-             const std::array<double, 2>& bounds = {0.0, std::numeric_limits<double>::infinity()});
+  /// or `symmetric` on a net that has no symmetry. std::invalid_argument where springs that are tied have different
+  /// bounds.
+  Parameters(const Net& net, const ParameterRule& rule, const StiffnessBounds& bounds = {});
 
   [[nodiscard]] std::size_t size() const noexcept { return names_.size(); }
   [[nodiscard]] std::size_t springs() const noexcept { return group_.size(); }
@@ -76,11 +76,12 @@ class Parameters {
   /// True when every coordinate moves one spring, in the same order.
   [[nodiscard]] bool one_to_one() const noexcept { return size() == springs(); }
 
-  /// exp(x), and a bound exactly where x is its logarithm to within rounding.
-  [[nodiscard]] double stiffness_at(double x) const noexcept {  // in every proposal of a walk, so it is inline
-    return between_[0] < x && x < between_[1] ? std::exp(x) : stiffness_at_bound(x);
+  /// exp(x), and a bound of the coordinate exactly where x is its logarithm to within rounding.
+  [[nodiscard]] double stiffness_at(std::size_t coordinate, double x) const noexcept {  // in every proposal of a walk
+    const Limits& limits = limits_[coordinate * limits_stride_];
+    return limits.between[0] < x && x < limits.between[1] ? std::exp(x) : stiffness_at_bound(limits, x);
   }
-  /// k_e = stiffness_at(x_g).
+  /// k_e = stiffness_at(g, x_g).
   void stiffness(std::span<const double> coordinates, std::span<double> stiffness) const;
   /// Every spring gets the geometric mean of its group, whatever the bounds; exactly what it had where all are equal.
   void average(std::span<double> stiffness) const;
@@ -91,14 +92,21 @@ class Parameters {
              std::span<double> by_coordinate) const;
 
  private:
-  double stiffness_at_bound(double x) const noexcept;
+  struct Limits {
+    explicit Limits(const StiffnessBounds::Pair& pair);
+
+    std::array<double, 2> between;  // coordinates that are farther from both bounds than a rounding
+    std::array<double, 2> bounds, logarithms, rounding;  // how far from its logarithm a bound still is the bound
+  };
+  static double stiffness_at_bound(const Limits& limits, double x) noexcept;
+  void set_limits(const StiffnessBounds& bounds);
 
   std::vector<std::size_t> group_;    // by spring
   std::vector<std::size_t> members_;  // springs, coordinate by coordinate
   std::vector<std::size_t> first_;    // where a coordinate's members begin
   std::vector<std::string> names_;
-  std::array<double, 2> bounds_, ln_bounds_, rounding_;  // how far from its logarithm a bound still is the bound
-  std::array<double, 2> between_;                        // coordinates that are farther than that from both
+  std::vector<Limits> limits_;     // one for all coordinates, or each its own
+  std::size_t limits_stride_ = 0;  // 0 where there is one
 };
 
 }  // namespace nodal::elastic

@@ -6,13 +6,12 @@
 /// Units    N/m, m.
 /// Threads  plain values.
 
-#include <array>
-#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include <nodal/elastic/account.h>
+#include <nodal/elastic/bounds.h>
 #include <nodal/elastic/loads.h>
 #include <nodal/elastic/material.h>
 #include <nodal/elastic/net.h>
@@ -46,7 +45,7 @@ struct Scene {
   Weights weights;
   ParameterRule parameter_rule;
   std::vector<double> initial_stiffness;  ///< [springs], before tying and before moving inside the bounds
-  std::array<double, 2> stiffness_bounds = {0.0, std::numeric_limits<double>::infinity()};  ///< N/m
+  StiffnessBounds stiffness_bounds;       ///< N/m
   std::optional<Prior> prior = {};
   bool has_reference = true;    ///< false: only to be solved, there is nothing to compare displacements with
   std::string fit_refusal;      ///< why it can be evaluated, but not fitted; empty ordinarily

@@ -63,7 +63,7 @@ inline constexpr int kSystemSchema = 1;
                                       const SystemDetails& details = {});
 
 class ElasticProblem;
-/// The same with the problem's groups and bounds.
+/// The same with the problem's groups and bounds; of springs that have bounds of their own the lowest and the highest.
 [[nodiscard]] std::string system_json(const ElasticProblem& problem, const std::vector<double>& stiffness);
 
 }  // namespace nodal::elastic
