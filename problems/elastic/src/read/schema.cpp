@@ -15,6 +15,7 @@
 #include "read/read_points.h"
 #include "read/read_topology.h"
 #include "read/study_loads.h"
+#include "read/study_reference.h"
 #include "starts/start_rule.h"
 #include "starts/stiffness_bounds.h"
 

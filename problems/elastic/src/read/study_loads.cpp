@@ -8,10 +8,9 @@
 
 #include <nodal/error.h>
 
-#include "import/displacement_file.h"
-#include "import/named_file.h"
-#include "loads/load_set_builder.h"
 #include "loads/own_loads.h"
+#include "read/idle_loads.h"
+#include "read/study_reference.h"
 
 namespace nodal::elastic {
 
@@ -79,103 +78,6 @@ LoadSet from_cases(const std::vector<OwnCase>& cases) {
   return set;
 }
 
-// Holds freedoms where the reference says that they went.
-void hold_as_measured(const OwnCase& one, const MeasuredLoad& measured, const Net& net, SupportGroup& group) {
-  for (Support& support : group.supports) {
-    const std::size_t freedom = net.freedoms().at(support.node, support.axis);
-    if (!std::ranges::binary_search(one.held_as_measured, freedom)) continue;
-    if (!(measured.weights[freedom] > 0.0))
-      throw InputError(one.source,
-                       fmt::format("node {} is to be held as measured, but the reference has no {} of it in "
-                                   "load '{}'",
-                                   net.id(support.node), std::string("u") + kAxisNames[support.axis], one.name));
-    support.value = measured.displacement[freedom];
-  }
-}
-
-// Takes the reference from measurements. Loads then go together that share supports and what is known of them.
-void apply_measurements(const std::vector<MeasuredLoad>& measured, const Freedoms& freedoms, LoadSet& set) {
-  LoadSetBuilder grouped(freedoms);
-  for (std::size_t l = 0; l < set.loads.size(); ++l) {
-    LoadCase& load = set.loads[l];
-    SupportGroup group = set.groups[load.group];
-    const bool complete = std::ranges::all_of(measured[l].weights, [](double w) { return w == 1.0; });
-    if (!complete) group.weights = measured[l].weights;
-    grouped.add(std::move(load.name), std::move(load.forces), measured[l].displacement, std::move(group));
-  }
-  set = std::move(grouped).finish();
-}
-
-constexpr const char* kClosedForms = "a closed form is known for the basic loads only";
-
-// Without a reference a study can be solved, but nothing fitted. Loads go together as if all were known.
-void only_solved(const std::vector<OwnCase>& cases, const Source& source, Scene& scene) {
-  for (const OwnCase& one : cases)
-    if (!one.held_as_measured.empty())
-      throw InputError(one.source,
-                       fmt::format("load '{}' holds nodes as measured, and nothing says how they went; give "
-                                   "reference = {{ file = \"displacements.csv\" }}, or a 'displacement'",
-                                   one.name));
-  scene.has_reference = false;
-  scene.fit_refusal =
-      InputError(source, fmt::format("cases of your own need reference = {{ file = \"displacements.csv\" }}, the "
-                                     "displacements to be matched: {}",
-                                     kClosedForms))
-          .what();
-  const std::vector<double> zero(scene.net.freedoms().size(), 0.0), all(zero.size(), 1.0);
-  apply_measurements(std::vector<MeasuredLoad>(cases.size(), {zero, all}), scene.net.freedoms(), scene.loads);
-}
-
-bool moves(const LoadCase& load, const SupportGroup& group, const Freedoms& freedoms) {
-  std::vector<bool> held(load.forces.size(), false);
-  for (const Support& s : group.supports) {
-    if (s.value != 0.0) return true;
-    held[freedoms.at(s.node, s.axis)] = true;
-  }
-  for (std::size_t f = 0; f < held.size(); ++f)
-    if (!held[f] && load.forces[f] != 0.0) return true;
-  return false;
-}
-
-// Supports bear what pulls at them, and no spring feels it: such a load is the same at all stiffnesses.
-void tell_of_idle_loads(const std::vector<OwnCase>& cases, const Scene& scene, Account& account) {
-  for (std::size_t l = 0; l < cases.size(); ++l) {
-    const OwnCase& one = cases[l];
-    const LoadCase& load = scene.loads.loads[l];
-    if (moves(load, scene.loads.groups[load.group], scene.net.freedoms())) {
-      for (const std::string& idle : one.idle)
-        account.finding(
-            fmt::format("load '{}': {}, but only where supports hold: they bear all of it, and nothing moves by it",
-                        one.name, idle));
-      continue;
-    }
-    const bool pulled = std::ranges::any_of(load.forces, [](double f) { return f != 0.0; });
-    const std::string why = fmt::format(
-        "nothing moves in load '{}': {}", one.name,
-        !pulled            ? "its supports are held as measured, which is at rest, and nothing pulls"
-        : one.idle.empty() ? "what pulls acts only where supports hold, and they bear all of it"
-                           : fmt::format("what pulls acts only where supports hold, and they bear all of it ({})",
-                                         fmt::join(one.idle, "; ")));
-    if (!scene.has_reference) {
-      account.finding(why + "; all displacements and spring forces are 0");
-      continue;
-    }
-    throw InputError(one.source, why +
-                                     ", so no stiffness can fit its reference; pull at nodes that are free to move, or "
-                                     "leave the load out");
-  }
-}
-
-std::string summary(const std::string& file, const std::vector<MeasuredLoad>& measured) {
-  std::size_t known = 0, all = 0;
-  for (const MeasuredLoad& load : measured) {
-    all += load.weights.size();
-    known += static_cast<std::size_t>(std::ranges::count_if(load.weights, [](double w) { return w > 0.0; }));
-  }
-  return fmt::format("{}: {} of {} displacements of {} load{}", file, known, all, measured.size(),
-                     measured.size() == 1 ? "" : "s");
-}
-
 // A line per load: what its selections took.
 void tell_of_selections(const std::vector<OwnCase>& cases, Account& account) {
   constexpr std::size_t kListed = 12;
@@ -196,22 +98,6 @@ void tell_of_loads(const LoadSet& loads, Account& account) {
   const Value* supports = account.data.find("supports");
   account.used("loads", fmt::format("{} load cases, {} support group{}{}", loads.loads.size(), loads.groups.size(),
                                     loads.groups.size() == 1 ? "" : "s", supports ? ", " + supports->text() : ""));
-}
-
-constexpr const char* kAnalyticStage = "analytic reference";
-constexpr const char* kMeasuredStage = "measured reference";
-
-void tell_of_closed_form(bool own, Account& account) {
-  if (own)
-    account.left_out(kAnalyticStage, kClosedForms);
-  else
-    account.used(kAnalyticStage, "a homogeneous body under homogeneous stress: the closed form is exact");
-  account.left_out(kMeasuredStage, "no file is given");
-}
-
-void tell_of_measurements(std::string summary, Account& account) {
-  account.left_out(kAnalyticStage, "the reference was measured");
-  account.used(kMeasuredStage, std::move(summary));
 }
 
 }  // namespace
@@ -242,24 +128,8 @@ OptionSchema loads_fields() {
   };
 }
 
-OptionSchema reference_fields() {
-  return {
-      {.name = "method",
-       .type = OptionType::text,
-       .default_value = "auto",
-       .choices = {"auto", "analytic", "file"},
-       .help = "auto takes the file where one is given, else the closed form, which is exact for the basic loads on "
-               "any homogeneous body"},
-      {.name = "file",
-       .type = OptionType::text,
-       .help = "measured displacements, in the plane: CSV with columns load, node (or x, y), ux, uy, weight"},
-      columns_option({"load", "node", "x", "y", "ux", "uy", "weight"}),
-      scale_option("the file's displacements and places"),
-  };
-}
-
 void read_loads(const Options& problem, const ProblemContext& context, Scene& scene, Account& account) {
-  const Options loads = problem.table("loads"), reference = problem.table("reference");
+  const Options loads = problem.table("loads");
   const bool own = loads.has("set") ? loads.text("set") == "own" : loads.has("cases");
   std::vector<OwnCase> cases;
   if (own) {
@@ -280,36 +150,11 @@ void read_loads(const Options& problem, const ProblemContext& context, Scene& sc
                        fmt::format("set = \"{}\" has no cases of its own; leave 'set' out", loads.text("set")));
     scene.loads = read_basic_loads(loads, scene, account);
   }
-
-  if (scene.net.dimension == 3 && reference.has("file"))
-    throw InputError(reference.at("file").source, "measured displacements are read in the plane only");
-  const std::string& method = reference.text("method");
-  if (method == "analytic" && reference.has("file"))
-    throw InputError(reference.at("file").source, "method = \"analytic\" takes no file; leave 'method' out");
-  if (!reference.has("file")) {
-    for (const char* key : {"columns", "scale"})
-      if (reference.has(key))
-        throw InputError(reference.at(key).source, fmt::format("'{}' in 'reference' belongs to a 'file'", key));
-    if (method == "file")
-      throw InputError(reference.values().source,
-                       "method = \"file\" needs a file: reference = { file = \"displacements.csv\" }");
-    if (own) only_solved(cases, reference.values().source, scene);
-    tell_of_idle_loads(cases, scene, account);
-    tell_of_loads(scene.loads, account);
-    tell_of_closed_form(own, account);
-    return;
-  }
-  std::vector<std::string> names;
-  for (const LoadCase& load : scene.loads.loads) names.push_back(load.name);
-  const std::vector<MeasuredLoad> measured =
-      read_displacement_file(context.files, named_file(context.files, reference.at("file")), scene.net, names, account,
-                             read_table_options(reference));
-  for (std::size_t l = 0; l < cases.size(); ++l)
-    hold_as_measured(cases[l], measured[l], scene.net, scene.loads.groups[l]);
-  apply_measurements(measured, scene.net.freedoms(), scene.loads);
+  const std::string summary =
+      read_reference(problem.table("reference"), context, own ? &cases : nullptr, scene, account);
   tell_of_idle_loads(cases, scene, account);
   tell_of_loads(scene.loads, account);
-  tell_of_measurements(summary(reference.text("file"), measured), account);
+  tell_of_reference(summary, own, account);
 }
 
 }  // namespace nodal::elastic

@@ -7,9 +7,8 @@
 
 namespace nodal::elastic {
 
-/// The fields of `loads` and of `reference`.
+/// The fields of `loads`.
 [[nodiscard]] OptionSchema loads_fields();
-[[nodiscard]] OptionSchema reference_fields();
 
 /// Fills loads and reference of a scene whose net and material are there. InputError for what doesn't fit.
 void read_loads(const Options& problem, const ProblemContext& context, Scene& scene, Account& account);
