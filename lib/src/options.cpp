@@ -26,6 +26,8 @@ std::string with_article(OptionType type) {
       return "a list of numbers";
     case OptionType::integer_list:
       return "a list of integers";
+    case OptionType::text_list:
+      return "a text or a list of texts";
     case OptionType::vector_list:
       return "a list of vectors";
     case OptionType::vector_lists:
@@ -62,11 +64,14 @@ class Check {
         result = number();
         break;
       case OptionType::text:
-        check_text();
+        result = text();
         break;
       case OptionType::number_list:
       case OptionType::integer_list:
         result = list();
+        break;
+      case OptionType::text_list:
+        result = texts();
         break;
       case OptionType::vector_list:
         result = vectors();
@@ -140,6 +145,14 @@ class Check {
     });
   }
 
+  // Kept as a list, so that "a" and ["a"] make the same trial.
+  Value texts() const {
+    if (!value_.is_text()) return list([](const Check& entry) { return entry.text(); });
+    Value one(Value::List{text()});
+    one.source = value_.source;
+    return one;
+  }
+
   // "2 numbers", "2 to 3 numbers".
   std::string entries_text() const {
     const auto [least, most] = option_.entries;
@@ -167,9 +180,10 @@ class Check {
         [](const Check& entry) { return resolve_options(entry.option_.fields, entry.value_, entry.name_).values(); });
   }
 
-  void check_text() const {
-    if (!value_.is_text()) wrong_type(option_.type);
-    if (option_.choices.empty() || std::ranges::find(option_.choices, value_.text()) != option_.choices.end()) return;
+  Value text() const {
+    if (!value_.is_text()) wrong_type(OptionType::text);
+    if (option_.choices.empty() || std::ranges::find(option_.choices, value_.text()) != option_.choices.end())
+      return value_;
     refuse(fmt::format("is '{}'{}", shown(value_.text()), name_hint(value_.text(), option_.choices)));
   }
 
@@ -209,6 +223,8 @@ std::string_view to_string(OptionType type) noexcept {
       return "list of numbers";
     case OptionType::integer_list:
       return "list of integers";
+    case OptionType::text_list:
+      return "text or list of texts";
     case OptionType::vector_list:
       return "list of vectors";
     case OptionType::vector_lists:
@@ -235,6 +251,12 @@ std::string range_text(const Option& option) {
   if (below) return fmt::format("{} {} {}", option.name, option.minimum_excluded ? ">" : "≥", option.minimum);
   if (above) return fmt::format("{} {} {}", option.name, most, option.maximum);
   return {};
+}
+
+std::vector<std::string> Options::texts(std::string_view key) const {
+  std::vector<std::string> texts;
+  for (const Value& entry : at(key).list()) texts.push_back(entry.text());
+  return texts;
 }
 
 std::vector<Options> Options::tables(std::string_view key) const {

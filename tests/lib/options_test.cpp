@@ -39,6 +39,8 @@ const OptionSchema kSchema = {
      .fields = {{.name = "young", .required = true, .help = "modulus of elasticity"},
                 {.name = "poisson", .default_value = 0.3, .minimum = -1.0, .maximum = 0.5},
                 {.name = "layer", .type = OptionType::table, .fields = {{.name = "depth", .minimum = 0.0}}}}},
+    {.name = "names", .type = OptionType::text_list},
+    {.name = "axes", .type = OptionType::text_list, .choices = {"x", "y"}},
     {.name = "outline", .type = OptionType::vector_list},
     {.name = "holes", .type = OptionType::vector_lists},
     {.name = "forces",
@@ -142,7 +144,7 @@ TEST(Options, RefuseAnUnknownKeyAndOfferTheNearest) {
   EXPECT_EQ(
       refusal(R"({"temperature": 1})"),
       "s.toml:1: unknown key 'temperature' in optimizer 'toy'; valid: 'cooling', 'share', 'step', 'ceiling', 'below', "
-      "'rounds', 'verbose', 'order', 'note', 'size', 'counts', 'material' and 4 more");
+      "'rounds', 'verbose', 'order', 'note', 'size', 'counts', 'material' and 6 more");
   EXPECT_EQ(refusal(R"({"material": {"young": 1, "posson": 0.3}})"),
             "s.toml:1: unknown key 'posson' in 'material' of optimizer 'toy'; did you mean 'poisson'?");
   EXPECT_EQ(toy::message_of([] { (void)resolve_options({}, parse_json(R"({"a": 1})", "s.toml"), "optimizer 'bare'"); }),
@@ -270,6 +272,26 @@ TEST(Options, RefusesWhatIsNoVector) {
             "s.toml:1: 'outline' of optimizer 'toy' must be a list of vectors of 2 numbers");
   EXPECT_EQ(refusal(R"({"holes": [3]})"),
             "s.toml:1: entry 1 of 'holes' of optimizer 'toy' must be a list of vectors of 2 numbers");
+}
+
+TEST(Options, ReadsATextAsAListOfOne) {
+  using Texts = std::vector<std::string>;
+  const Options one = resolve(R"({"names": "a"})"), many = resolve(R"({"names": ["a", "b"], "axes": "y"})");
+  EXPECT_EQ(one.texts("names"), Texts{"a"});
+  EXPECT_EQ(to_json(one.values()), to_json(resolve(R"({"names": ["a"]})").values()));
+  EXPECT_EQ(many.texts("names"), (Texts{"a", "b"}));
+  EXPECT_EQ(many.texts("axes"), Texts{"y"});
+  EXPECT_EQ(resolve(R"({"names": []})").texts("names"), Texts{});
+}
+
+TEST(Options, RefusesWhatIsNoText) {
+  EXPECT_EQ(refusal(R"({"names": 3})"),
+            "s.toml:1: 'names' of optimizer 'toy' must be a text or a list of texts, not an integer");
+  EXPECT_EQ(refusal(R"({"names": ["a", 3]})"),
+            "s.toml:1: entry 2 of 'names' of optimizer 'toy' must be a text, not an integer");
+  EXPECT_EQ(refusal(R"({"axes": "z"})"), "s.toml:1: 'axes' of optimizer 'toy' is 'z'; did you mean 'x' or 'y'?");
+  EXPECT_EQ(refusal(R"({"axes": ["x", "z"]})"),
+            "s.toml:1: entry 2 of 'axes' of optimizer 'toy' is 'z'; did you mean 'x' or 'y'?");
 }
 
 // Positions in the plane or in space, as a problem allows them.

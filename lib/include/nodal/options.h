@@ -24,6 +24,7 @@ enum class OptionType {
   text,
   number_list,
   integer_list,
+  text_list,     ///< a text alone is a list of one
   vector_list,   ///< [[x, y], …]: lists of `entries` numbers each
   vector_lists,  ///< [[[x, y], …], …]
   table,
@@ -47,7 +48,7 @@ struct Option {
   std::size_t length = 0;                       ///< of a list of numbers; 0 is any
   std::size_t longest = 0;                      ///< where it may be longer than `length`: up to this
   std::array<std::size_t, 2> entries = {2, 2};  ///< the least and the most numbers of each vector of a list
-  std::vector<std::string> choices = {};        ///< of a text; empty is any text
+  std::vector<std::string> choices = {};        ///< of a text, or of each of a list; empty is any text
   std::string help = {};                        ///< one line: what it means and why this default
   std::vector<Option> fields = {};              ///< of a table, or of each of a list
   bool or_table = false;                        ///< it may be a table with `fields` instead
@@ -70,6 +71,7 @@ class Options {
   [[nodiscard]] double number(std::string_view key) const { return table_.at(key).number(); }
   [[nodiscard]] const std::string& text(std::string_view key) const { return table_.at(key).text(); }
   [[nodiscard]] std::vector<double> numbers(std::string_view key) const { return table_.at(key).numbers(); }
+  [[nodiscard]] std::vector<std::string> texts(std::string_view key) const;
   [[nodiscard]] Options table(std::string_view key) const { return Options(table_.at(key)); }
   [[nodiscard]] std::vector<Options> tables(std::string_view key) const;
   [[nodiscard]] std::vector<std::vector<double>> vectors(std::string_view key) const;
