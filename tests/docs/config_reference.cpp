@@ -127,6 +127,9 @@ constexpr std::string_view kElasticRules = R"(Rules between these keys:
   impossible.
 - `loads.stress` and `loads.supports` belong to the basic loads, `loads.cases` to loads of your own, in the plane, which to
   be fitted need `reference.file`: [your_own_system.md](your_own_system.md).
+- `loads.held_out` names loads of the study's own, which are then not fitted, or those of
+  [loads that are never fitted](formulation/unseen.md), for which the body needs an outline; each once, and not all loads of
+  the study. Nothing can be held out of a study without a reference.
 - `loads.stress` is not 0, and not all `quality.weights` are 0: there would be nothing to fit.
 
 What the words mean is in [formulation.md](formulation.md).

@@ -7,7 +7,7 @@
 #include <nodal/provenance.h>
 
 #include "battery/check.h"
-#include "displacements/spread.h"
+#include "displacements/findings.h"
 #include "show/details.h"
 #include "show/drawing_cost.h"
 #include "springs/connection.h"
@@ -48,7 +48,15 @@ ProblemDescription describe_elastic() {
           .quality_help = "the paper's quality measure: smaller is better",
           .findings = {{.name = std::string(kSpread),
                         .title = "k_max/k_min",
-                        .help = "the stiffest spring of the best point over the softest"}},
+                        .help = "the stiffest spring of the best point over the softest"},
+                       {.name = std::string(kStableStep),
+                        .title = "stable step",
+                        .unit = "s",
+                        .help = "explicit integration of the best point in time is stable below it, whatever holds"},
+                       {.name = "unseen",
+                        .title = "unseen error",
+                        .help = "root mean square of the relative errors under loads that are never fitted",
+                        .tabled = true}},
           .show_details = show::details_part,
           .too_costly_to_draw = show::drawing_refusal,
           .commands = {battery::check_command()},

@@ -98,6 +98,7 @@ Scene scene_of(const Reading& reading, const Registry& registry) {
   } else {
     scene = scene_by_hand(reading);
   }
+  scene.held_out = {};  // a case is about one system
   if (o.has("load")) keep_load(scene, o.text("load"), reading);
   set_forces(scene, reading);
   if (!o.boolean("supported"))

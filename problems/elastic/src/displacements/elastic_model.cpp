@@ -25,6 +25,7 @@ ElasticModel::ElasticModel(Scene scene_of_problem)
     : scene(std::move(scene_of_problem)),
       parameters(scene.net, scene.parameter_rule, scene.stiffness_bounds),
       displacement_unit(unit_of(scene.loads)),
+      reference_norms(scene.loads.loads.size(), 0.0),
       first_residual(scene.loads.loads.size(), 0) {
   const std::size_t springs = scene.net.springs.size();
   if (!scene.initial_stiffness.empty() && scene.initial_stiffness.size() != springs)
@@ -37,8 +38,12 @@ ElasticModel::ElasticModel(Scene scene_of_problem)
   for (const auto& group : groups) {
     for (const EquilibriumGroup::Load& load : group->loads()) {
       rows[load.index] = group->free();
-      for (std::size_t i = 0; i < group->free(); ++i)
-        squared += group->weights()[i] * load.reference[i] * load.reference[i];
+      for (std::size_t i = 0; i < group->free(); ++i) {
+        const double counted = group->weights()[i] * load.reference[i] * load.reference[i];
+        squared += counted;
+        reference_norms[load.index] += counted;
+      }
+      reference_norms[load.index] = std::sqrt(reference_norms[load.index]);
     }
   }
   for (std::size_t l = 0; l < rows.size(); ++l) {

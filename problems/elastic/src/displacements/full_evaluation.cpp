@@ -52,6 +52,17 @@ Status FullEvaluation::solve(std::span<const double> stiffness, bool refined) {
   return Status::ok;
 }
 
+void FullEvaluation::load_errors(std::span<double> errors) const {
+  for (const auto& equilibrium : equilibria_) {
+    const EquilibriumGroup& group = equilibrium->group();
+    for (std::size_t l = 0; l < group.loads().size(); ++l) {
+      const std::size_t load = group.loads()[l].index;
+      const double error = std::sqrt(squared_error(group, l, equilibrium->displacement(l).data()));
+      errors[load] = model_.reference_norms[load] > 0.0 ? error / model_.reference_norms[load] : 0.0;
+    }
+  }
+}
+
 // What a refined solve that is refused leaves in its health: how much was lost.
 Status FullEvaluation::refuse(Status status, double error_estimate, bool refined) {
   if (refined && std::isfinite(error_estimate)) health_.error_estimate = error_estimate;

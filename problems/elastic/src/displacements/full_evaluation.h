@@ -26,6 +26,8 @@ class FullEvaluation final : public PointDerivatives {
   Status solve(std::span<const double> stiffness, bool refined = false);
   /// Of the last solve that was ok.
   [[nodiscard]] double squared() const noexcept { return squared_; }
+  /// [loads] Of the last solve that was ok: G_l/‖u_ref,l‖_W of each load; 0 where its reference is.
+  void load_errors(std::span<double> errors) const;
   [[nodiscard]] const Health& health() const noexcept { return health_; }
   /// After another status than ok: what is wrong, naming spring or node.
   [[nodiscard]] std::string describe(Status status) const;

@@ -31,6 +31,30 @@ void add_stress(const Net& net, const BorderPiece& piece, const Tensor& stress, 
       forces[net.freedoms().at(node, axis)] += piece.share * force[axis];
 }
 
+namespace {
+
+// ∫ of the shape functions of two nodes of a piece over it, as a share of its measure: `apart` is how many steps lie
+// between them around the piece.
+double shared(std::size_t nodes, std::size_t apart) {
+  if (nodes == 4) return (apart == 0 ? 4.0 : apart == 2 ? 1.0 : 2.0) / 36.0;
+  const double n = static_cast<double>(nodes);
+  return (apart == 0 ? 2.0 : 1.0) / (n * (n + 1.0));
+}
+
+}  // namespace
+
+void add_stress_growth(const Net& net, const BorderPiece& piece, const StressGradient& gradient, const Vector& centre,
+                       std::span<double> forces) {
+  const std::size_t count = piece.nodes.size();
+  const double measure = piece.share * static_cast<double>(count);  // the thickness in the plane
+  for (std::size_t j = 0; j < count; ++j) {
+    const Vector pull = growth(gradient, net.nodes[piece.nodes[j]] - centre) * piece.area;
+    for (std::size_t i = 0; i < count; ++i)
+      for (std::size_t axis = 0; axis < net.dimension; ++axis)
+        forces[net.freedoms().at(piece.nodes[i], axis)] += measure * shared(count, i > j ? i - j : j - i) * pull[axis];
+  }
+}
+
 std::vector<std::size_t> side_nodes(const Net& net, std::size_t axis, End end) {
   const Extent box = extent_of(net.body);
   const double position = end == End::low ? box.low[axis] : box.high[axis], tolerance = border_tolerance(net.body);

@@ -14,6 +14,8 @@
 #include <nodal/elastic/material.h>
 #include <nodal/elastic/net.h>
 
+#include "loads/stress_field.h"
+
 namespace nodal::elastic {
 
 /// The border between neighbouring nodes on it: two on an outline, in its direction, or the corners of a cell's face.
@@ -33,6 +35,14 @@ void for_each_border_piece(const Net& net, const std::function<void(const Border
 
 /// Adds what σ·n pulls with at one piece.
 void add_stress(const Net& net, const BorderPiece& piece, const Tensor& stress, std::span<double> forces);
+
+/// Adds what the part of a stress that grows by `gradient` from `centre` pulls with at one piece. The traction is
+/// linear along a segment, a triangle and a rectangle; nodes get what does the same work on displacements that are,
+/// too:
+///     f_i = Σ_j M_ij σ(x_j)·area,  M = [2 1; 1 2]/6, [2 1 1; …]/12, [4 2 1 2; …]/36 around the rectangle.
+/// So forces and torques around a closed border balance wherever the stress is in equilibrium.
+void add_stress_growth(const Net& net, const BorderPiece& piece, const StressGradient& gradient, const Vector& centre,
+                       std::span<double> forces);
 
 /// Of an axis: left and right of 0, bottom and top of 1.
 enum class End { low, high };

@@ -3,6 +3,9 @@
 
 /// The displacements of a homogeneous body under a homogeneous stress: u(x) = (ε + W)(x − origin). The material answers
 /// the stress with the strain ε; supports choose the rigid motion, the place `origin` that rests and the small turn W.
+/// Under a stress that is linear in the place, so is the strain, and with x from `origin` on
+///     u_i = (ε_ij + W_ij) x_j + ½ (ε_ij,k + ε_ik,j − ε_jk,i) x_j x_k,
+/// whose symmetric gradient is ε(x).
 ///
 /// Shapes   results: [freedoms] of the net.
 /// Units    m, Pa.
@@ -12,6 +15,8 @@
 
 #include <nodal/elastic/material.h>
 #include <nodal/elastic/net.h>
+
+#include "loads/stress_field.h"
 
 namespace nodal::elastic {
 
@@ -25,5 +30,10 @@ namespace nodal::elastic {
 /// In space the second lies along x from the first, and the third along y.
 [[nodiscard]] std::vector<double> displacements_at_rest(const Net& net, const Elasticity& elasticity,
                                                         const Tensor& stress, const std::vector<std::size_t>& rest);
+
+/// The same under a stress that is linear in the place.
+[[nodiscard]] std::vector<double> displacements_at_rest(const Net& net, const Elasticity& elasticity,
+                                                        const StressField& stress,
+                                                        const std::vector<std::size_t>& rest);
 
 }  // namespace nodal::elastic

@@ -42,6 +42,10 @@ void require_closed_form(const LoadSpec& spec) {
       if (spec.stress[a][b] != 0.0 && !borne)
         throw std::invalid_argument(fmt::format("load '{}' has no closed form under its supports", spec.name));
     }
+  if (!is_homogeneous(spec.gradient) && spec.hold != Hold::resting)
+    throw std::invalid_argument(fmt::format("load '{}' has no closed form but at rest", spec.name));
+  if (!in_equilibrium(spec.gradient))
+    throw std::invalid_argument(fmt::format("the stress of load '{}' is not in equilibrium", spec.name));
 }
 
 // Distances that differ by less are equal.
@@ -122,9 +126,19 @@ Nodes lowest_pair(const Net& net) {
   return {pin, least_by(all_least_by(net.outlines[0], edge, nearer), tie(net), y)};
 }
 
+Vector centre_of(const Body& body) {
+  const Extent box = extent_of(body);
+  Vector centre{};
+  for (std::size_t axis = 0; axis < body.dimension(); ++axis) centre[axis] = box.low[axis] + 0.5 * box.along(axis);
+  return centre;
+}
+
 Held rest(const LoadSpec& spec, const Net& net, const Elasticity& elasticity) {
   const Nodes nodes = net.body.box ? corners(net) : lowest_pair(net);
-  Held held{{}, displacements_at_rest(net, elasticity, spec.stress, nodes)};
+  Held held{{},
+            is_homogeneous(spec.gradient)
+                ? displacements_at_rest(net, elasticity, spec.stress, nodes)
+                : displacements_at_rest(net, elasticity, {spec.stress, spec.gradient, centre_of(net.body)}, nodes)};
   for (std::size_t k = 0; k < nodes.size(); ++k)
     for (std::size_t axis = k; axis < net.dimension; ++axis) held.supports.supports.push_back({nodes[k], axis, 0.0});
   return held;
@@ -144,9 +158,12 @@ Held hold(const LoadSpec& spec, const Net& net, const Elasticity& elasticity) {
 
 std::vector<double> forces(const LoadSpec& spec, const Net& net) {
   const Nodes bearing = spec.hold == Hold::sliding ? side_nodes(net, spec.axis, End::low) : Nodes();
+  const bool homogeneous = is_homogeneous(spec.gradient);
+  const Vector centre = centre_of(net.body);
   std::vector<double> forces(net.freedoms().size(), 0.0);
   for_each_border_piece(net, [&](const BorderPiece& piece) {
     if (!piece.within(bearing)) add_stress(net, piece, spec.stress, forces);
+    if (!homogeneous) add_stress_growth(net, piece, spec.gradient, centre, forces);
   });
   return forces;
 }

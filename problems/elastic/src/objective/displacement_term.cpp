@@ -4,9 +4,15 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "displacements/spread.h"
+#include "displacements/findings.h"
 
 namespace nodal::elastic {
+
+std::vector<std::string> DisplacementTerm::parts() const {
+  std::vector<std::string> loads;
+  for (const LoadCase& load : model_.scene.loads.loads) loads.push_back(load.name);
+  return loads;
+}
 
 std::unique_ptr<TermEvaluator> DisplacementTerm::make_evaluator() const {
   return std::make_unique<DisplacementEvaluator>(model_);
@@ -40,7 +46,7 @@ Evaluation DisplacementEvaluator::audit(const System& system) {
   health_ = full_->health();
   if (status != Status::ok) return {status, 0.0};
   solver_ = full_.get();
-  health_.findings = {spread_of(system.stiffness)};
+  health_.findings = findings_of(model_.scene.net, system.stiffness);
   return {Status::ok, model_.cost(full_->squared())};
 }
 
@@ -72,6 +78,14 @@ Status DisplacementEvaluator::jacobian(const Parameters& parameters, std::span<d
   std::ranges::fill(rows, 0.0);
   solver_->add_jacobian(rows);
   return Status::ok;
+}
+
+Status DisplacementEvaluator::part_errors(const System& system, std::span<double> errors) {
+  const Status status = full().solve(system.stiffness);
+  if (status != Status::ok) return status;
+  solver_ = full_.get();
+  full_->load_errors(errors);
+  return status;
 }
 
 Moves* DisplacementEvaluator::moves() {

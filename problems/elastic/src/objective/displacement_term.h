@@ -29,6 +29,8 @@ class DisplacementTerm final : public Term {
     return {.gradient = true, .residuals = true, .jacobian_products = true, .moves = true};
   }
   [[nodiscard]] std::size_t residual_count() const override { return model_.residual_count; }
+  /// The loads.
+  [[nodiscard]] std::vector<std::string> parts() const override;
   [[nodiscard]] std::unique_ptr<TermEvaluator> make_evaluator() const override;
 
  private:
@@ -47,6 +49,8 @@ class DisplacementEvaluator final : public TermEvaluator {
   Status add_transposed_product(std::span<const double> w, const SystemGradient& gradient) override;
   /// std::invalid_argument for other parameters than the model's, whose ties its loops know.
   Status jacobian(const Parameters& parameters, std::span<double> rows) override;
+  /// Of each load G_l/‖u_ref,l‖_W, by CHOLMOD: the lanes are for races.
+  [[nodiscard]] Status part_errors(const System& system, std::span<double> errors) override;
   [[nodiscard]] Moves* moves() override;
   [[nodiscard]] Work work() const override;
   [[nodiscard]] Health health() const override { return health_; }

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <stdexcept>
-#include <string>
 
 namespace nodal::elastic {
 
@@ -33,6 +33,12 @@ std::size_t Objective::residual_count() const {
   return count;
 }
 
+std::vector<std::string> Objective::held_out_parts() const {
+  std::vector<std::string> names;
+  for (const auto& term : held_out_) std::ranges::move(term->parts(), std::back_inserter(names));
+  return names;
+}
+
 std::unique_ptr<ObjectiveEvaluator> Objective::make_evaluator() const {
   return std::make_unique<ObjectiveEvaluator>(*this);
 }
@@ -45,10 +51,7 @@ ObjectiveEvaluator::ObjectiveEvaluator(const Objective& objective) {
         {part.term->make_evaluator(), part.weight, std::sqrt(part.weight), part.term->is_prior(), count, first});
     first += count;
   }
-  for (const auto& term : objective.held_out()) {
-    held_out_names_.emplace_back(term->name());
-    held_out_.push_back(term->make_evaluator());
-  }
+  for (const auto& term : objective.held_out()) held_out_.push_back({term.get(), nullptr, term->parts().size()});
 }
 
 // The first term that fails ends it: its status is the objective's.
@@ -87,10 +90,18 @@ Evaluation ObjectiveEvaluator::audit(const System& system) {
     if (!part.prior) data += part.weight * own.cost;
   }
   if (std::ranges::any_of(parts_, &Part::prior)) health_.data_cost = data;
-  for (std::size_t t = 0; t < held_out_.size(); ++t)
-    if (const Evaluation unseen = held_out_[t]->audit(system); unseen.ok())
-      health_.findings.push_back({held_out_names_[t], std::sqrt(2.0 * unseen.cost)});
   return result;
+}
+
+Status ObjectiveEvaluator::held_out_errors(const System& system, std::span<double> errors) {
+  std::size_t first = 0;
+  for (HeldOut& held : held_out_) {
+    if (!held.evaluator) held.evaluator = held.term->make_evaluator();
+    const Status status = held.evaluator->part_errors(system, errors.subspan(first, held.parts));
+    if (status != Status::ok) return status;
+    first += held.parts;
+  }
+  return Status::ok;
 }
 
 Status ObjectiveEvaluator::residuals(std::span<double> r) {

@@ -3,16 +3,17 @@
 
 /// The objective: ½ Σ_terms w_t Σ r², a sum of the terms that are fitted; and the terms that are held out.
 ///
-/// Residuals of fitted terms stand one after the other, each times √w_t. Held-out terms are evaluated at audits, after
-/// the fitted ones, and told as findings under their names: √(2 · their cost). An audit doesn't fail by them; a value,
-/// a derivative or a walk doesn't know of them. A single fitted term of weight 1 costs nothing more than the term: its
-/// own walk is the walk. Several walk beside each other (objective_moves.h), unless one of them has no walk: then the
-/// ability is gone, and the meter walks by full values.
+/// Residuals of fitted terms stand one after the other, each times √w_t. Held-out terms are evaluated where their
+/// errors are asked for, part by part, and nowhere else: a value, an audit, a derivative or a walk doesn't know of
+/// them, nor does what is said of work and health. A single fitted term of weight 1 costs nothing more than the term:
+/// its own walk is the walk. Several walk beside each other (objective_moves.h), unless one of them has no walk: then
+/// the ability is gone, and the meter walks by full values.
 ///
 /// Threads  Objective: immutable, shared. ObjectiveEvaluator: one thread.
 
 #include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "objective/objective_moves.h"
@@ -37,6 +38,8 @@ class Objective {
   [[nodiscard]] std::size_t residual_count() const;
   [[nodiscard]] const std::vector<WeightedTerm>& fitted() const noexcept { return fitted_; }
   [[nodiscard]] const std::vector<std::shared_ptr<const Term>>& held_out() const noexcept { return held_out_; }
+  /// The parts of what is held out, in order.
+  [[nodiscard]] std::vector<std::string> held_out_parts() const;
   /// The objective must outlive it.
   [[nodiscard]] std::unique_ptr<ObjectiveEvaluator> make_evaluator() const;
 
@@ -51,10 +54,11 @@ class ObjectiveEvaluator {
   explicit ObjectiveEvaluator(const Objective& objective);
 
   Evaluation value(const System& system);
-  /// Fitted terms, then those held out. `health` is that of the first fitted term that estimates its error (of the
-  /// first where none does), with the errors of all costs added up, the findings of those held out after its own, and,
-  /// where there is a prior, the cost of the terms that are none.
+  /// `health` is that of the first fitted term that estimates its error (of the first where none does), with the errors
+  /// of all costs added up, and, where there is a prior, the cost of the terms that are none.
   Evaluation audit(const System& system);
+  /// [held_out_parts] The first term that fails ends it.
+  [[nodiscard]] Status held_out_errors(const System& system, std::span<double> errors);
 
   Status residuals(std::span<double> r);
   Status add_gradient(const SystemGradient& gradient);
@@ -79,9 +83,14 @@ class ObjectiveEvaluator {
   Evaluation sum_of(Ask ask);
   void add_health(const Part& part);
 
+  struct HeldOut {
+    const Term* term;
+    std::unique_ptr<TermEvaluator> evaluator;  // made when it is asked for: a race never does
+    std::size_t parts;
+  };
+
   std::vector<Part> parts_;
-  std::vector<std::string> held_out_names_;
-  std::vector<std::unique_ptr<TermEvaluator>> held_out_;
+  std::vector<HeldOut> held_out_;
   std::vector<double> scaled_;             // w of a transposed product, times √w_t
   std::unique_ptr<ObjectiveMoves> moves_;  // of several terms
   Health health_;

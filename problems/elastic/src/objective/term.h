@@ -5,8 +5,8 @@
 ///
 /// A term doesn't know what a search varies: the chain from stiffnesses to coordinates is done once, by Parameters. So
 /// a new term is residuals of a system and their derivatives, and every way of tying springs works with it. Terms that
-/// are *fitted* make up the cost; terms that are *held out* are evaluated where results are reported, and never enter
-/// cost, gradient or walk (objective.h).
+/// are *fitted* make up the cost; terms that are *held out* are evaluated where they are asked for, part by part, and
+/// never enter cost, gradient or walk (objective.h).
 ///
 /// Shapes   stiffness: [springs]; mass: [nodes], empty where nothing needs masses.
 /// Units    N/m, kg.
@@ -14,7 +14,9 @@
 
 #include <memory>
 #include <span>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include <nodal/elastic/parameters.h>
 #include <nodal/problem.h>
@@ -53,6 +55,10 @@ class TermEvaluator {
   /// [residual_count][coordinates] ∂r/∂x, written through the ties: every entry.
   virtual Status jacobian(const Parameters& parameters, std::span<double> rows) = 0;
 
+  /// [parts] The relative error of each part of the term at a system, √Σ r² of it alone. They mean something when the
+  /// status is ok. The system is the last point then.
+  [[nodiscard]] virtual Status part_errors(const System& system, std::span<double> errors);
+
   /// The walk of an objective of this term alone; nothing where the term has none. Lives as long as this object.
   [[nodiscard]] virtual Moves* moves() { return nullptr; }
   [[nodiscard]] virtual Work work() const = 0;
@@ -74,6 +80,8 @@ class Term {
   [[nodiscard]] virtual bool is_prior() const { return false; }
   [[nodiscard]] virtual Abilities abilities() const = 0;
   [[nodiscard]] virtual std::size_t residual_count() const = 0;
+  /// What its error can be told apart by where it is held out: the displacements' loads. Itself ordinarily.
+  [[nodiscard]] virtual std::vector<std::string> parts() const { return {std::string(name())}; }
   [[nodiscard]] virtual std::unique_ptr<TermEvaluator> make_evaluator() const = 0;
 
  protected:

@@ -20,6 +20,7 @@ void require_size(std::size_t actual, std::size_t wanted, const char* what) {
 ElasticEvaluator::ElasticEvaluator(const Parameters& parameters, const Objective& objective)
     : parameters_(parameters),
       residual_count_(objective.residual_count()),
+      held_out_count_(objective.held_out_parts().size()),
       objective_(objective.make_evaluator()),
       x_(parameters.size()),
       stiffness_(parameters.springs()),
@@ -41,6 +42,15 @@ Evaluation ElasticEvaluator::evaluate(std::span<const double> x, bool refined) {
 Evaluation ElasticEvaluator::value(std::span<const double> x) { return evaluate(x, false); }
 
 Evaluation ElasticEvaluator::audit(std::span<const double> x) { return evaluate(x, true); }
+
+// By stiffnesses of its own: those of the last point stay where they are.
+Status ElasticEvaluator::held_out_errors(std::span<const double> x, std::span<double> errors) {
+  require_size(x.size(), x_.size(), "x");
+  require_size(errors.size(), held_out_count_, "errors");
+  std::vector<double> stiffness(stiffness_.size());
+  parameters_.stiffness(x, stiffness);
+  return objective_->held_out_errors({stiffness}, errors);
+}
 
 void ElasticEvaluator::require_point() const {
   if (!at_point_) throw std::logic_error("derivatives are asked for, but no point has been evaluated successfully");

@@ -20,6 +20,7 @@ class ElasticEvaluator final : public Evaluator {
 
   Evaluation value(std::span<const double> x) override;
   Evaluation audit(std::span<const double> x) override;
+  [[nodiscard]] Status held_out_errors(std::span<const double> x, std::span<double> errors) override;
   Evaluation value_and_gradient(std::span<const double> x, std::span<double> gradient) override;
   Evaluation residuals(std::span<const double> x, std::span<double> residuals) override;
   Evaluation residuals_and_jacobian(std::span<const double> x, std::span<double> residuals,
@@ -37,7 +38,7 @@ class ElasticEvaluator final : public Evaluator {
   void require_point() const;
 
   const Parameters& parameters_;
-  std::size_t residual_count_;
+  std::size_t residual_count_, held_out_count_;
   std::unique_ptr<ObjectiveEvaluator> objective_;
   std::vector<double> x_, stiffness_, by_spring_;
   bool at_point_ = false;  // x_ and what the terms keep belong to one successful evaluation

@@ -8,8 +8,8 @@
 #include <fmt/format.h>
 
 #include "displacements/elastic_model.h"
+#include "displacements/findings.h"
 #include "displacements/model_account.h"
-#include "displacements/spread.h"
 #include "objective/displacement_term.h"
 #include "objective/objective.h"
 #include "objective/prior_term.h"
@@ -65,6 +65,20 @@ std::vector<WeightedTerm> fitted_terms(const ElasticModel& model, const std::sha
   return terms;
 }
 
+// The same system under the loads that are held out; nothing where none are.
+std::unique_ptr<const ElasticModel> model_of_held_out(const Scene& scene) {
+  if (scene.held_out.loads.empty()) return nullptr;
+  Scene other = scene;
+  other.loads = std::move(other.held_out);
+  other.held_out = {};
+  return std::make_unique<const ElasticModel>(std::move(other));
+}
+
+std::vector<std::shared_ptr<const Term>> held_out_terms(const ElasticModel* unseen) {
+  if (!unseen) return {};
+  return {std::make_shared<DisplacementTerm>(*unseen)};
+}
+
 }  // namespace
 
 struct ElasticProblem::Data {
@@ -73,7 +87,7 @@ struct ElasticProblem::Data {
         account(std::move(said)),
         start(start_of(model)),
         prior(prior_of(model, start)),
-        objective(fitted_terms(model, prior)),
+        objective(fitted_terms(model, prior), held_out_terms(unseen.get())),
         space(start.coordinates) {
     // Part of the problem where values need it: trials, each in a process of its own, must not pay for it again.
     if (values_by_lanes(model)) (void)model.lanes();
@@ -81,6 +95,7 @@ struct ElasticProblem::Data {
   }
 
   ElasticModel model;
+  std::unique_ptr<const ElasticModel> unseen = model_of_held_out(model.scene);
   Account account;
   Start start;
   std::shared_ptr<const PriorTerm> prior;  // or none
@@ -102,6 +117,8 @@ const Account& ElasticProblem::account() const noexcept { return data_->account;
 const Parameters& ElasticProblem::parameters() const noexcept { return data_->model.parameters; }
 
 Abilities ElasticProblem::abilities() const { return data_->objective.abilities(); }
+
+std::vector<std::string> ElasticProblem::held_out() const { return data_->objective.held_out_parts(); }
 
 std::string ElasticProblem::fit_refusal() const { return scene().fit_refusal; }
 
@@ -135,6 +152,68 @@ PriorShare ElasticProblem::prior_share(double data_cost, std::span<const double>
   return {weight, 2.0 * seen.cost, cost, quality(data_cost + cost)};
 }
 
+namespace {
+
+// What a solved load looks like. F^b = K u − F^e on the fixed freedoms, summed by springs.
+LoadState state_of(const ElasticModel& model, const Equilibrium& equilibrium, std::size_t l,
+                   std::span<const double> stiffness) {
+  const EquilibriumGroup& group = equilibrium.group();
+  const Scene& scene = model.scene;
+  const LoadCase& load = scene.loads.loads[group.loads()[l].index];
+  const double unit = model.displacement_unit;
+  const std::span<const double> placed = equilibrium.displacement(l);
+  std::vector<double> force(group.freedoms(), 0.0);
+  LoadState out;
+  for (std::size_t e = 0; e < group.springs(); ++e) {
+    const double pull = stiffness[e] * group.elongation(e, placed.data());
+    group.add_spring(e, pull, force.data());
+    out.spring_force.push_back(pull * unit);
+  }
+  out.name = load.name;
+  if (scene.has_reference) {
+    out.quality = std::sqrt(squared_error(group, l, placed.data())) * unit;
+    out.reference = load.reference;
+  }
+  out.displacement.resize(group.freedoms());
+  for (std::size_t i = 0; i < group.freedoms(); ++i) out.displacement[i] = placed[group.place()[i]] * unit;
+  out.supports = group.supports();
+  for (const Support& s : group.supports()) {
+    const std::size_t freedom = scene.net.freedoms().at(s.node, s.axis);
+    out.bearing.push_back(force[group.place()[freedom]] * unit - load.forces[freedom]);
+  }
+  return out;
+}
+
+// Of an evaluation that was ok.
+std::vector<LoadState> states_of(const ElasticModel& model, const FullEvaluation& evaluation,
+                                 std::span<const double> stiffness) {
+  std::vector<LoadState> states(model.scene.loads.loads.size());
+  std::vector<double> errors(states.size());
+  evaluation.load_errors(errors);
+  for (std::size_t g = 0; g < model.groups.size(); ++g) {
+    const std::vector<EquilibriumGroup::Load>& loads = model.groups[g]->loads();
+    for (std::size_t l = 0; l < loads.size(); ++l) {
+      LoadState& state = states[loads[l].index] = state_of(model, evaluation.group(g), l, stiffness);
+      state.relative_error = errors[loads[l].index];
+    }
+  }
+  return states;
+}
+
+void add_unseen(const ElasticModel& model, std::span<const double> stiffness, State& state) {
+  FullEvaluation evaluation(model);
+  if (const Status status = evaluation.solve(stiffness, true); status != Status::ok) {
+    state.unseen_failure = fmt::format("{}: {}", to_string(status), evaluation.describe(status));
+    return;
+  }
+  state.unseen = states_of(model, evaluation, stiffness);
+  double squares = 0.0;
+  for (const LoadState& load : state.unseen) squares += load.relative_error * load.relative_error;
+  state.unseen_error = std::sqrt(squares / static_cast<double>(state.unseen.size()));
+}
+
+}  // namespace
+
 State ElasticProblem::solve(std::span<const double> stiffness) const {
   State state;
   if (stiffness.size() != parameters().springs())
@@ -151,37 +230,9 @@ State ElasticProblem::solve(std::span<const double> stiffness) const {
   state.quality = quality(cost);
   state.relative_error = relative_error(cost).value_or(0.0);
   if (data_->prior) state.prior = prior_share(cost, stiffness);
-  state.health.findings = {spread_of(stiffness)};
-  const double unit = data_->model.displacement_unit;
-  state.loads.resize(scene().loads.loads.size());
-  for (std::size_t g = 0; g < data_->model.groups.size(); ++g) {
-    const Equilibrium& equilibrium = evaluation.group(g);
-    const EquilibriumGroup& group = equilibrium.group();
-    for (std::size_t l = 0; l < group.loads().size(); ++l) {
-      const LoadCase& load = scene().loads.loads[group.loads()[l].index];
-      const std::span<const double> placed = equilibrium.displacement(l);
-      // F^b = K u − F^e on the fixed freedoms, summed by springs.
-      std::vector<double> force(group.freedoms(), 0.0);
-      LoadState& out = state.loads[group.loads()[l].index];
-      for (std::size_t e = 0; e < group.springs(); ++e) {
-        const double pull = stiffness[e] * group.elongation(e, placed.data());
-        group.add_spring(e, pull, force.data());
-        out.spring_force.push_back(pull * unit);
-      }
-      out.name = load.name;
-      if (scene().has_reference) {
-        out.quality = std::sqrt(squared_error(group, l, placed.data())) * unit;
-        out.reference = load.reference;
-      }
-      out.displacement.resize(group.freedoms());
-      for (std::size_t i = 0; i < group.freedoms(); ++i) out.displacement[i] = placed[group.place()[i]] * unit;
-      out.supports = group.supports();
-      for (const Support& s : group.supports()) {
-        const std::size_t freedom = net().freedoms().at(s.node, s.axis);
-        out.bearing.push_back(force[group.place()[freedom]] * unit - load.forces[freedom]);
-      }
-    }
-  }
+  state.health.findings = findings_of(net(), stiffness);
+  state.loads = states_of(data_->model, evaluation, stiffness);
+  if (data_->unseen) add_unseen(*data_->unseen, stiffness, state);
   return state;
 }
 

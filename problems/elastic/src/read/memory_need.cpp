@@ -26,11 +26,16 @@ double memory_need(std::size_t nodes, std::size_t groups, std::size_t dimension)
   return n * std::log2(n + 1.0) * (kOfNet + kOfGroup * static_cast<double>(groups));
 }
 
+bool memory_suffices(std::size_t nodes, std::size_t groups, double memory, std::size_t dimension) {
+  constexpr double kShare = 0.75;
+  return memory_need(nodes, groups, dimension) <= kShare * memory;
+}
+
 void require_memory(std::size_t nodes, std::optional<std::size_t> groups, double memory, const Source& source,
                     std::size_t dimension) {
-  constexpr double kGigabyte = 1e9, kShare = 0.75;  // the rest is for other programs, and for estimates that are low
+  constexpr double kGigabyte = 1e9;
+  if (memory_suffices(nodes, groups.value_or(1), memory, dimension)) return;
   const double need = memory_need(nodes, groups.value_or(1), dimension);
-  if (need <= kShare * memory) return;
   const std::string under =
       groups ? fmt::format(" under {} group{} of supports", *groups, *groups == 1 ? "" : "s") : "";
   throw InputError(source,

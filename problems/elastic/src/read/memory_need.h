@@ -18,6 +18,10 @@ namespace nodal::elastic {
 /// crossed cubes of 10³ to 8·10³ nodes under 1 and 6 groups, within a seventh.
 [[nodiscard]] double memory_need(std::size_t nodes, std::size_t groups, std::size_t dimension = 2);
 
+/// Three quarters of `memory` bytes are enough for a net: the rest is for other programs, and for estimates that are
+/// low.
+[[nodiscard]] bool memory_suffices(std::size_t nodes, std::size_t groups, double memory, std::size_t dimension = 2);
+
 /// InputError at `source` when a net needs more than three quarters of `memory` bytes. While its groups aren't known
 /// yet, what one takes is the least.
 void require_memory(std::size_t nodes, std::optional<std::size_t> groups, double memory, const Source& source,

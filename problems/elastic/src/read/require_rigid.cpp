@@ -64,7 +64,7 @@ std::string why_it_moves(const Net& net) {
 
 }  // namespace
 
-void require_rigid(const Net& net, const LoadSet& loads, bool own_supports, const Source& source, Account& account) {
+bool require_rigid(const Net& net, const LoadSet& loads, bool own_supports, const Source& source, Account& account) {
   const Structure structure = structure_of(net);
   const bool known = net.grid.columns > 0;
   const bool rigid = known || free_rigidity(structure).is_rigid();
@@ -85,6 +85,7 @@ void require_rigid(const Net& net, const LoadSet& loads, bool own_supports, cons
     account.left_out(kRigidityStage, "a grid with diagonals is rigid");
   else
     account.used(kRigidityStage, "no node moves without resistance");
+  return rigid;
 }
 
 }  // namespace nodal::elastic

@@ -14,9 +14,9 @@ namespace nodal::elastic {
 
 /// MechanismError when, under some group of supports, nodes can move while no spring changes its length: names them.
 /// A full grid with diagonals is known to be rigid and not looked at. `own_supports`: they are the study's, which can
-/// be told to hold more.
+/// be told to hold more. Returns whether the net keeps its shape with nothing held.
 ///
 /// Cost     one sparse QR of the net; another per group of supports only where the free net is no rigid body.
-void require_rigid(const Net& net, const LoadSet& loads, bool own_supports, const Source& source, Account& account);
+bool require_rigid(const Net& net, const LoadSet& loads, bool own_supports, const Source& source, Account& account);
 
 }  // namespace nodal::elastic

@@ -13,6 +13,7 @@
 #include "read/body_options.h"
 #include "read/memory_need.h"
 #include "read/read_bounds.h"
+#include "read/read_held_out.h"
 #include "read/read_masses.h"
 #include "read/read_net.h"
 #include "read/read_parameters.h"
@@ -143,14 +144,15 @@ void tell_of_poisson(const Scene& scene, bool tied, Account& account) {
                        : "free, uneven springs reach it at the price of a spread in stiffness and of local noise"));
 }
 
-// What is compared: the weights, and that there is something to fit.
-void read_quality(const Options& options, Scene& scene) {
+// What is compared: the weights, what is held out, and that there is something to fit.
+void read_quality(const Options& options, bool keeps_shape, Scene& scene, Account& account) {
   const Options quality = options.table("quality"), reference = options.table("reference");
   const Options weights = quality.table("weights");
   const Source& source = quality.at("weights").source;
   scene.weights = {weights.number("inner"), weights.number("border"), weights.number("corner")};
   if (scene.weights.inner + scene.weights.border + scene.weights.corner <= 0.0)
     throw InputError(source, "all weights are 0: nothing would be fitted");
+  read_held_out(options, keeps_shape, scene, account);
   if (!scene.has_reference) return;
   const bool measured = reference.has("file");
   require_something_to_fit(scene, source, measured ? reference.at("file").source : reference.values().source, measured);
@@ -184,8 +186,9 @@ MadeScene make_scene(const Options& options, const ProblemContext& context) {
   read_loads(options, context, scene, account);
   require_memory(scene.net.nodes.size(), scene.loads.groups.size(), available_memory(), points.values().source,
                  scene.net.dimension);
-  require_rigid(scene.net, scene.loads, options.table("loads").has("cases"), springs.values().source, account);
-  read_quality(options, scene);
+  const bool keeps_shape =
+      require_rigid(scene.net, scene.loads, options.table("loads").has("cases"), springs.values().source, account);
+  read_quality(options, keeps_shape, scene, account);
   scene.solver = options.table("equilibrium").text("method");
 
   scene.parameter_rule = read_parameters(springs.at("parameters"), scene.net, study.groups);

@@ -10,6 +10,7 @@
 
 #include "loads/own_loads.h"
 #include "read/idle_loads.h"
+#include "read/read_held_out.h"
 #include "read/study_reference.h"
 
 namespace nodal::elastic {
@@ -94,12 +95,6 @@ void tell_of_selections(const std::vector<OwnCase>& cases, Account& account) {
   account.data.set("selections", Value(std::move(lines)));
 }
 
-void tell_of_loads(const LoadSet& loads, Account& account) {
-  const Value* supports = account.data.find("supports");
-  account.used("loads", fmt::format("{} load cases, {} support group{}{}", loads.loads.size(), loads.groups.size(),
-                                    loads.groups.size() == 1 ? "" : "s", supports ? ", " + supports->text() : ""));
-}
-
 }  // namespace
 
 OptionSchema loads_fields() {
@@ -121,11 +116,18 @@ OptionSchema loads_fields() {
        .choices = {"edge", "face", "minimal"},
        .help = "of the basic loads. edge: each holds a straight edge of the body (Figure 4); face: the same in space; "
                "minimal: three balanced loads, in space six, rigid motions held (Figure 5)"},
+      held_out_option(),
       {.name = "cases",
        .type = OptionType::table_list,
        .help = "load cases of your own, in the plane; to be fitted they need reference.file",
        .fields = case_fields()},
   };
+}
+
+void tell_of_loads(const LoadSet& loads, Account& account) {
+  const Value* supports = account.data.find("supports");
+  account.used("loads", fmt::format("{} load cases, {} support group{}{}", loads.loads.size(), loads.groups.size(),
+                                    loads.groups.size() == 1 ? "" : "s", supports ? ", " + supports->text() : ""));
 }
 
 void read_loads(const Options& problem, const ProblemContext& context, Scene& scene, Account& account) {

@@ -10,6 +10,9 @@ namespace nodal::elastic {
 /// The fields of `loads`.
 [[nodiscard]] OptionSchema loads_fields();
 
+/// How many there are, and how they are held.
+void tell_of_loads(const LoadSet& loads, Account& account);
+
 /// Fills loads and reference of a scene whose net and material are there. InputError for what doesn't fit.
 void read_loads(const Options& problem, const ProblemContext& context, Scene& scene, Account& account);
 

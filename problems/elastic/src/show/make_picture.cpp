@@ -73,10 +73,16 @@ Picture make_picture(const ElasticProblem& problem, std::span<const double> stif
   picture.title = std::move(title);
   picture.quality = state.quality;
   picture.relative_error = state.relative_error;
-  const LoadSet& set = problem.scene().loads;
-  for (std::size_t l = 0; l < state.loads.size(); ++l)
-    picture.loads.push_back(
-        make_load(problem.net().freedoms(), state.loads[l], set.loads[l], set.groups[set.loads[l].group]));
+  picture.unseen_error = state.unseen_error;
+  const auto add = [&](const std::vector<LoadState>& states, const LoadSet& set) {
+    for (std::size_t l = 0; l < states.size(); ++l)
+      picture.loads.push_back(
+          make_load(problem.net().freedoms(), states[l], set.loads[l], set.groups[set.loads[l].group]));
+  };
+  add(state.loads, problem.scene().loads);
+  add(state.unseen, problem.scene().held_out);
+  for (std::size_t l = 0; l < state.unseen.size(); ++l)
+    picture.loads[state.loads.size() + l].unseen = state.unseen[l].relative_error;
   return picture;
 }
 

@@ -6,8 +6,11 @@
 /// Shapes   displacement, reference, forces: one per node; kinds, masses, cells, known: one per node, or empty.
 /// Units    metres, N, N/m, kg.
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -31,11 +34,12 @@ struct PicturedLoad {
   std::vector<Point> displacement, reference, forces;
   std::vector<std::size_t> fixed;               ///< nodes with at least one freedom held, ascending
   std::vector<std::array<bool, 2>> known = {};  ///< which of x and y the reference says; all where empty
+  std::optional<double> unseen = {};            ///< where the load was never fitted: its relative error
 
   [[nodiscard]] bool knows(std::size_t node) const { return known.empty() || (known[node][0] && known[node][1]); }
 };
 
-/// One spring system under all its loads.
+/// One spring system under all its loads: those that are fitted, then those that never were.
 struct Picture {
   std::string problem;  ///< label, as in ProblemReference
   std::string title;    ///< "start", "best: ceres-levenberg-marquardt"
@@ -51,6 +55,16 @@ struct Picture {
   std::vector<double> nearness = {};  ///< in space: from 0, farthest, to 1, nearest; empty in the plane
   std::vector<double> masses = {};
   std::vector<std::vector<Ring>> cells = {};  ///< the rings of each node's Voronoi region
+  double unseen_error = 0.0;                  ///< over the loads that were never fitted
+
+  [[nodiscard]] std::span<const PicturedLoad> fitted() const { return std::span(loads).first(fitted_loads()); }
+  [[nodiscard]] std::span<const PicturedLoad> unseen() const { return std::span(loads).subspan(fitted_loads()); }
+
+ private:
+  [[nodiscard]] std::size_t fitted_loads() const {
+    return static_cast<std::size_t>(
+        std::ranges::count_if(loads, [](const PicturedLoad& load) { return !load.unseen.has_value(); }));
+  }
 };
 
 }  // namespace nodal::elastic::show

@@ -23,6 +23,7 @@ constexpr double kWideBody = 1.8;        // width over height: beyond, the key s
 constexpr double kFlatBody = 4.0;        // likewise: loads stand one under the other
 constexpr double kHeaderHeight = 54.0;   // title and figures
 constexpr double kCaptionHeight = 42.0;  // name and G of a load
+constexpr double kHeadingHeight = 24.0;  // over loads that were never fitted
 
 std::string at(double x, double y, const std::string& content) {
   return fmt::format("<g transform=\"translate({:.1f} {:.1f})\">{}</g>\n", x, y, content);
@@ -73,27 +74,41 @@ Drawing system_and_key(const Picture& picture, const Frame& frame, const Stiffne
 
 // Flat bodies one under the other; else two or three beside each other, as it fills the last row.
 std::size_t columns_of(const Picture& picture) {
-  const std::size_t loads = picture.loads.size();
+  const std::size_t loads = picture.fitted().size();
   if (loads < 2 || aspect(picture) > kFlatBody) return 1;
   return loads == 3 || loads > 4 ? 3 : 2;
 }
 
-std::string load_caption(const PicturedLoad& load, double width, double y) {
-  return text_at({0.5 * width, y}, shortened(load.name, width, 13.5), "name", Anchor::middle) +
-         text_at({0.5 * width, y + kLineHeight}, "G " + figure_text(load.quality, 4) + " m", "quiet", Anchor::middle);
+std::string caption_below(const PicturedLoad& load, double width, double y) {
+  const auto [name, figures] = load_caption(load);
+  return text_at({0.5 * width, y}, shortened(name, width, 13.5), "name", Anchor::middle) +
+         text_at({0.5 * width, y + kLineHeight}, figures, "quiet", Anchor::middle);
 }
 
-Drawing load_grid(const Picture& picture, const Frame& frame, const StiffnessColours& colours, std::size_t columns) {
+Drawing load_grid(const Picture& picture, std::span<const PicturedLoad> loads, const Frame& frame,
+                  const StiffnessColours& colours, std::size_t columns) {
   Drawing drawing{"", kPictureWidth, 0.0};
   const double step = (kInner + kGap) / static_cast<double>(columns), row_height = frame.height + kCaptionHeight + kGap;
-  for (std::size_t l = 0; l < picture.loads.size(); ++l) {
+  for (std::size_t l = 0; l < loads.size(); ++l) {
     const double x = kMargin + static_cast<double>(l % columns) * step + 0.5 * (step - kGap - frame.width);
     drawing.text += fmt::format("<g class=\"load\" transform=\"translate({:.1f} {:.1f})\">", x,
                                 static_cast<double>(l / columns) * row_height) +
-                    load_panel(picture, picture.loads[l], frame, colours) +
-                    load_caption(picture.loads[l], frame.width, frame.height + 18.0) + "</g>\n";
+                    load_panel(picture, loads[l], frame, colours) +
+                    caption_below(loads[l], frame.width, frame.height + 18.0) + "</g>\n";
   }
-  drawing.height = static_cast<double>((picture.loads.size() + columns - 1) / columns) * row_height;
+  drawing.height = static_cast<double>((loads.size() + columns - 1) / columns) * row_height;
+  return drawing;
+}
+
+// Fitted ones, then the others under their heading.
+Drawing all_loads(const Picture& picture, const Frame& frame, const StiffnessColours& colours, std::size_t columns) {
+  Drawing drawing = load_grid(picture, picture.fitted(), frame, colours, columns);
+  if (picture.unseen().empty()) return drawing;
+  const Drawing unseen = load_grid(picture, picture.unseen(), frame, colours, columns);
+  drawing.text += text_at({kMargin, drawing.height + 14.0}, shortened(unseen_heading(picture), kInner, 13.5), "name");
+  drawing.height += kHeadingHeight;
+  drawing.text += at(0.0, drawing.height, unseen.text);
+  drawing.height += unseen.height;
   return drawing;
 }
 
@@ -114,6 +129,15 @@ bool any_unknown(const Picture& picture) {
 }
 
 }  // namespace
+
+std::string unseen_heading(const Picture& picture) {
+  return fmt::format("Never fitted: unseen error {}", figure_text(picture.unseen_error, 4));
+}
+
+std::array<std::string, 2> load_caption(const PicturedLoad& load) {
+  if (load.unseen) return {load.name + ", never fitted", "relative error " + figure_text(*load.unseen, 4)};
+  return {load.name, "G " + figure_text(load.quality, 4) + " m"};
+}
 
 std::string spread_text(const Picture& picture) {
   const StiffnessColours range({&picture});
@@ -157,7 +181,7 @@ std::string picture_svg(const Picture& picture) {
   const Frame frame = make_frame({&picture}, aspect(picture) > kFlatBody ? kInner : std::min(step - kGap, 420.0));
   const Drawing system = system_and_key(picture, frame, colours);
   const double below = kHeaderHeight + system.height + kGap;
-  const Drawing loads = load_grid(picture, frame, colours, columns);
+  const Drawing loads = all_loads(picture, frame, colours, columns);
   return svg_file(heading(picture), std::ceil(below + loads.height + kMargin - kGap),
                   header(picture) + at(0.0, kHeaderHeight, system.text) + at(0.0, below, loads.text));
 }

@@ -21,17 +21,30 @@ std::string figure_html(const char* style, const std::string& svg, const std::st
                      escape_html(name), figures);
 }
 
+std::string loads_html(const Picture& picture, std::span<const PicturedLoad> loads, const Frame& frame,
+                       const StiffnessColours& colours) {
+  std::string text;
+  for (const PicturedLoad& load : loads) {
+    const auto [name, figures] = load_caption(load);
+    text += figure_html("", load_svg(picture, load, frame, colours), name, figures);
+  }
+  return text;
+}
+
 std::string row_html(const Picture& picture, const Frame& frame, const StiffnessColours& colours) {
-  const std::size_t panels = picture.loads.size() + 1;
+  const std::size_t panels = picture.fitted().size() + 1, columns = std::min(panels, kMostColumns);
   std::string text = fmt::format(
       "<h3>{} <small>G {}, relative error {}</small></h3>\n<div class=\"plates{}\" style=\"--columns:{}\">\n",
       escape_html(picture.title), figure_text(picture.quality, 4), figure_text(picture.relative_error, 4),
-      panels % 2 == 1 ? " odd" : "", std::min(panels, kMostColumns));
+      panels % 2 == 1 ? " odd" : "", columns);
   text += figure_html(" class=\"system-figure\"", system_svg(picture, kPanelWidth, colours), "the system",
                       "k<sub>max</sub>/k<sub>min</sub> " + spread_text(picture));
-  for (const PicturedLoad& load : picture.loads)
-    text += figure_html("", load_svg(picture, load, frame, colours), load.name, "G " + figure_text(load.quality, 4));
-  return text + "</div>\n";
+  text += loads_html(picture, picture.fitted(), frame, colours) + "</div>\n";
+  if (picture.unseen().empty()) return text;
+  return text +
+         fmt::format("<h4>{}</h4>\n<div class=\"plates\" style=\"--columns:{}\">\n",
+                     escape_html(unseen_heading(picture)), columns) +
+         loads_html(picture, picture.unseen(), frame, colours) + "</div>\n";
 }
 
 std::string scale_svg(const StiffnessColours& colours) {

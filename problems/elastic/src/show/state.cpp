@@ -9,7 +9,7 @@
 #include <nodal/elastic/determination.h>
 
 #include <nodal/show/at_bounds.h>
-#include "displacements/spread.h"
+#include "displacements/findings.h"
 #include "show/state_tables.h"
 
 namespace nodal::elastic::show {
@@ -87,6 +87,32 @@ Value prior_json(const PriorShare& prior) {
   return table;
 }
 
+Value load_json(const ElasticProblem& problem, const LoadState& load, bool held_out) {
+  const bool compared = problem.scene().has_reference;
+  Value entry;
+  entry.set("name", load.name);
+  if (held_out) entry.set("relative_error", load.relative_error);
+  if (compared) entry.set("quality", load.quality);
+  entry.set("displacement", by_node(problem.net().freedoms(), load.displacement));
+  if (compared) entry.set("reference", by_node(problem.net().freedoms(), load.reference));
+  entry.set("force", Value(Value::List(load.spring_force.begin(), load.spring_force.end())));
+  entry.set("bearing", bearing_json(problem.net(), load));
+  return entry;
+}
+
+Value unseen_json(const ElasticProblem& problem, const State& state) {
+  Value unseen;
+  if (!state.unseen_failure.empty()) {
+    unseen.set("failure", state.unseen_failure);
+    return unseen;
+  }
+  Value::List loads;
+  for (const LoadState& load : state.unseen) loads.push_back(load_json(problem, load, true));
+  unseen.set("error", state.unseen_error);
+  unseen.set("loads", Value(std::move(loads)));
+  return unseen;
+}
+
 double largest(const std::vector<double>& values) {
   double most = 0.0;
   for (const double v : values) most = std::max(most, std::abs(v));
@@ -106,16 +132,7 @@ Value state_json(const std::string& label, const ElasticProblem& problem, std::s
     entry.set("stiffness", stiffness[e]);
     springs.push_back(std::move(entry));
   }
-  for (const LoadState& load : state.loads) {
-    Value entry;
-    entry.set("name", load.name);
-    if (problem.scene().has_reference) entry.set("quality", load.quality);
-    entry.set("displacement", by_node(problem.net().freedoms(), load.displacement));
-    if (problem.scene().has_reference) entry.set("reference", by_node(problem.net().freedoms(), load.reference));
-    entry.set("force", Value(Value::List(load.spring_force.begin(), load.spring_force.end())));
-    entry.set("bearing", bearing_json(problem.net(), load));
-    loads.push_back(std::move(entry));
-  }
+  for (const LoadState& load : state.loads) loads.push_back(load_json(problem, load, false));
   Value result;
   result.set("problem", label);
   result.set("nodes", index(problem.net().nodes.size()));
@@ -128,6 +145,7 @@ Value state_json(const std::string& label, const ElasticProblem& problem, std::s
   }
   if (state.prior) result.set("prior", prior_json(*state.prior));
   result.set("loads", Value(std::move(loads)));
+  if (!problem.held_out().empty()) result.set("unseen", unseen_json(problem, state));
   result.set("health", health_json(state.health));
   if (Value undetermined = undetermined_json(problem, stiffness); !undetermined.list().empty())
     result.set("undetermined", std::move(undetermined));
@@ -143,13 +161,42 @@ std::string accuracy_text(const Health& health) {
                      *health.error_estimate, health.cost_error.value_or(0.0), *health.residual);
 }
 
+// Loads that are held out: how wrong the system is where nothing was fitted.
+std::string unseen_text(const ElasticProblem& problem, const State& state) {
+  if (problem.held_out().empty()) return {};
+  if (!state.unseen_failure.empty())
+    return fmt::format("unseen error: the loads that are never fitted can't be solved: {}\n", state.unseen_failure);
+  const auto worst = std::ranges::max_element(state.unseen, {}, &LoadState::relative_error);
+  if (state.unseen.size() == 1)
+    return fmt::format("unseen error {:.6g} (of {}, which is never fitted)\n", state.unseen_error, worst->name);
+  return fmt::format("unseen error {:.6g} (root mean square of {} loads that are never fitted; worst: {}, {:.6g})\n",
+                     state.unseen_error, state.unseen.size(), worst->name, worst->relative_error);
+}
+
+std::string unseen_table(const State& state) {
+  if (state.unseen.empty()) return {};
+  std::string text = fmt::format("\n{:<12} {:>14} {:>14} {:>24} {:>26}\n", "never fitted", "relative error", "G",
+                                 "largest displacement [m]", "largest bearing force [N]");
+  for (const LoadState& load : state.unseen)
+    text += fmt::format("{:<12} {:>14.6g} {:>14.6g} {:>24.6g} {:>26.6g}\n", load.name, load.relative_error,
+                        load.quality, largest(load.displacement), largest(load.bearing));
+  return text;
+}
+
+std::string stable_step_text(const ElasticProblem& problem, std::span<const double> stiffness) {
+  const std::optional<double> step = stable_step_of(problem.net(), stiffness);
+  return step ? fmt::format("explicit integration in time is stable below {:.4g} s\n", *step) : std::string();
+}
+
 // What is compared with the reference: errors, and what a fit would make of these stiffnesses.
 std::string compared_text(const ElasticProblem& problem, std::span<const double> stiffness, const State& state) {
   std::string text = fmt::format("relative error {:.6g}, G {:.10g}, k_max/k_min {:.4g}\n", state.relative_error,
-                                 state.quality, spread_of(stiffness).value);
+                                 state.quality, spread_of(stiffness));
   if (const std::optional<PriorShare>& prior = state.prior)
     text += fmt::format("prior of weight {:g}: ln(k/k_start) is {:.4g} in the root mean square; a fit sees G {:.10g}\n",
                         prior->weight, std::sqrt(prior->mean_square), prior->quality);
+  text += unseen_text(problem, state);
+  text += stable_step_text(problem, stiffness);
   text += accuracy_text(state.health);
   text += fmt::format("{} ({})\n", at_bounds_text(problem.space(), coordinates_at(problem, stiffness)),
                       describe(problem.scene().stiffness_bounds));
@@ -160,7 +207,7 @@ std::string compared_text(const ElasticProblem& problem, std::span<const double>
   for (const LoadState& load : state.loads)
     text += fmt::format("{:<12} {:>14.6g} {:>24.6g} {:>26.6g}\n", load.name, load.quality, largest(load.displacement),
                         largest(load.bearing));
-  return text;
+  return text + unseen_table(state);
 }
 
 }  // namespace
@@ -170,7 +217,8 @@ std::string state_text(const std::string& label, const ElasticProblem& problem, 
   std::string text =
       fmt::format("{}: {} nodes, {} springs\n", label, problem.net().nodes.size(), problem.net().springs.size());
   if (problem.scene().has_reference) return text + compared_text(problem, stiffness, state);
-  text += fmt::format("no reference to compare with; k_max/k_min {:.4g}\n", spread_of(stiffness).value);
+  text += fmt::format("no reference to compare with; k_max/k_min {:.4g}\n", spread_of(stiffness));
+  text += stable_step_text(problem, stiffness);
   text += accuracy_text(state.health);
   for (const LoadState& load : state.loads) text += state_tables(problem.net(), load);
   return text;

@@ -38,8 +38,8 @@ TEST_F(SmallSystem, StagesOfAStudyAreToldInTheOrderOfTheWork) {
   for (const Stage& stage : problem->stages()) names.push_back(stage.name);
   EXPECT_EQ(names, (std::vector<std::string>{
                        "body", "points", "iterated Voronoi regions", "springs", "Delaunay triangulation", "masses",
-                       "loads", "analytic reference", "measured reference", "rigidity by sparse QR", "bounds",
-                       "initial stiffness", "parameters", "lanes", "equilibrium", "gradient", "moves"}));
+                       "loads", "analytic reference", "measured reference", "rigidity by sparse QR", "held-out loads",
+                       "bounds", "initial stiffness", "parameters", "lanes", "equilibrium", "gradient", "moves"}));
 }
 
 }  // namespace

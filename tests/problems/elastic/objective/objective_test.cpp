@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <span>
 
 #include "../plate.h"
 #include "objective/objective.h"
@@ -125,26 +126,29 @@ TEST_F(Objectives, AddTermsByTheirWeights) {
   EXPECT_NEAR(forwards, backwards, 1e-11);
 }
 
-TEST_F(Objectives, EvaluateWhatIsHeldOutAtAuditsOnly) {
-  const auto fitted = wish(2.0, 0.5), unseen = wish(0.1, 3.0);
-  const Objective plain({{fitted}}), with({{fitted}}, {unseen});
+TEST_F(Objectives, EvaluateWhatIsHeldOutWhereItIsAskedForOnly) {
+  const auto fitted = wish(2.0, 0.5), unseen = wish(0.1, 3.0), other = wish(7.0, 1.0);
+  const Objective plain({{fitted}}), with({{fitted}}, {unseen, other});
   ElasticEvaluator seen(problem->parameters(), plain), both(problem->parameters(), with);
   const std::vector<double> x = point();
   std::vector<double> g(x.size()), h(x.size());
   EXPECT_EQ(both.value(x).cost, seen.value(x).cost);
   ASSERT_TRUE(both.value_and_gradient(x, g).ok() && seen.value_and_gradient(x, h).ok());
   EXPECT_EQ(g, h);
+  EXPECT_EQ(both.audit(x).cost, seen.audit(x).cost);
+  EXPECT_TRUE(both.health().findings.empty());
   EXPECT_EQ(with.residual_count(), plain.residual_count());
   EXPECT_EQ(unseen->evaluators_asked, 0);
 
-  EXPECT_EQ(both.audit(x).cost, seen.audit(x).cost);
-  EXPECT_EQ(unseen->evaluators_asked, 1);
-  const auto& findings = both.health().findings;
-  ASSERT_EQ(findings.size(), 1u);
-  EXPECT_EQ(findings[0].name, "wish");
-  const Objective alone({{unseen}});
-  ElasticEvaluator its(problem->parameters(), alone);
-  EXPECT_DOUBLE_EQ(findings[0].value, std::sqrt(2.0 * its.value(x).cost));
+  EXPECT_EQ(with.held_out_parts(), (std::vector<std::string>{"wish", "wish"}));
+  std::vector<double> errors(2);
+  ASSERT_EQ(both.held_out_errors(x, errors), Status::ok);
+  for (std::size_t t = 0; t < 2; ++t) {
+    const Objective alone({{t == 0 ? unseen : other}});
+    ElasticEvaluator its(problem->parameters(), alone);
+    EXPECT_DOUBLE_EQ(errors[t], std::sqrt(2.0 * its.value(x).cost));
+  }
+  EXPECT_THROW((void)both.held_out_errors(x, std::span(errors).first(1)), std::invalid_argument);
 }
 
 TEST_F(Objectives, WalkOnlyWhereEveryTermHasAWalk) {

@@ -44,6 +44,20 @@ TEST(Plates, AreTheProblemsNetAndLoads) {
   for (const PicturedLoad& load : plate.loads) EXPECT_TRUE(load.known.empty());
 }
 
+TEST(Plates, HaveWhatIsHeldOutAfterWhatIsFitted) {
+  Scene scene = plate_scene();
+  scene.held_out = make_basic_loads(scene.net, scene.material, 1.0, SupportStyle::minimal);
+  const ElasticProblem problem(scene);
+  const State state = problem.solve(problem.start_stiffness());
+  const Picture plate = make_picture(problem, problem.start_stiffness(), state, "plate", "start");
+  ASSERT_EQ(plate.fitted().size(), 4u);
+  ASSERT_EQ(plate.unseen().size(), 3u);
+  EXPECT_EQ(plate.unseen()[2].name, "shear");
+  EXPECT_EQ(plate.unseen()[2].unseen, state.unseen[2].relative_error);
+  EXPECT_EQ(plate.unseen()[2].fixed.size(), 2u);
+  EXPECT_EQ(plate.unseen_error, state.unseen_error);
+}
+
 TEST(Plates, ReferenceIsKnownWhereItCounts) {
   SupportGroup group;
   const std::vector<double> reference = {0.0, 0.0, 0.1, 0.0, 0.0, 0.0};

@@ -112,6 +112,21 @@ TEST(PictureSvg, HasTheSystemAndAPanelForEachLoad) {
   EXPECT_EQ(count(picture, "Voronoi"), 1u);
 }
 
+TEST(PictureSvg, PutsWhatWasNeverFittedUnderAHeading) {
+  Picture plate = fixture::make_disc();
+  plate.unseen_error = 0.125;
+  plate.loads[2].unseen = 0.25;
+  const std::string picture = picture_svg(plate);
+  EXPECT_EQ(fixture::WellFormed(picture).error(), "");
+  EXPECT_EQ(count(picture, "<g class=\"load\""), 3u);
+  const std::size_t heading = picture.find(">Never fitted: unseen error 0.1250</text>");
+  ASSERT_NE(heading, std::string::npos);
+  EXPECT_LT(picture.find(">stretch-y</text>"), heading);
+  EXPECT_LT(heading, picture.find(">shear, never fitted</text>"));
+  EXPECT_EQ(count(picture, ">relative error 0.2500</text>"), 1u);
+  EXPECT_EQ(count(picture_svg(fixture::make_disc()), "ever fitted"), 0u);
+}
+
 TEST(PictureSvg, HostileLabelsStayText) {
   Picture plate = fixture::make_square("</title><script>alert(1)</script>&\"'\x01\xEF\xBF\xBE", 0.5);
   plate.loads[0].name = plate.title;

@@ -28,6 +28,19 @@ TEST(PicturesHtml, ShowTheSystemBeforeItsLoads) {
   EXPECT_LT(html.find("<svg class=\"plate system\""), html.find("<svg class=\"plate load\""));
 }
 
+TEST(PicturesHtml, ShowWhatWasNeverFittedApart) {
+  Picture picture = fixture::make_square("start", 0.5);
+  picture.loads.push_back(picture.loads[0]);
+  picture.loads[1].name = "bend-x";
+  picture.loads[1].unseen = picture.unseen_error = 0.25;
+  const std::string html = pictures_html(std::vector{picture});
+  EXPECT_EQ(count(html, "<svg class=\"plate load\""), 2u);
+  EXPECT_EQ(count(html, "<div class=\"plates"), 2u);
+  const std::size_t heading = html.find("<h4>Never fitted: unseen error 0.2500</h4>");
+  ASSERT_NE(heading, std::string::npos);
+  EXPECT_LT(heading, html.find("bend-x, never fitted<br><small>relative error 0.2500</small>"));
+}
+
 TEST(PicturesHtml, LabelsCannotBreakOut) {
   Picture picture = fixture::make_square(kHostile, 0.5);
   picture.problem = picture.loads[0].name = kHostile;

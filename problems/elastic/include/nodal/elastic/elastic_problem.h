@@ -39,6 +39,8 @@ class ElasticProblem final : public Problem {
   [[nodiscard]] std::unique_ptr<Evaluator> make_evaluator() const override;
   [[nodiscard]] double quality(double cost) const override;
   [[nodiscard]] std::optional<double> relative_error(double cost) const override;
+  /// The loads that are held out.
+  [[nodiscard]] std::vector<std::string> held_out() const override;
   [[nodiscard]] std::vector<Stage> stages() const override;
   [[nodiscard]] std::vector<std::string> remarks() const override;
   [[nodiscard]] std::string fit_refusal() const override;

@@ -42,6 +42,7 @@ struct Scene {
   Net net;
   Material material;
   LoadSet loads;
+  LoadSet held_out = {};  ///< never fitted: evaluated where results are reported
   Weights weights;
   ParameterRule parameter_rule;
   std::vector<double> initial_stiffness;  ///< [springs], before tying and before moving inside the bounds

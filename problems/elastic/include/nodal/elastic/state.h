@@ -20,6 +20,7 @@ namespace nodal::elastic {
 struct LoadState {
   std::string name;
   double quality = 0.0;
+  double relative_error = 0.0;       ///< of this load alone, G_l/‖u_ref,l‖_W; 0 where its reference is, or none
   std::vector<double> displacement;  ///< [dimension · nodes]
   std::vector<double> reference;     ///< [dimension · nodes]; empty where the scene has none
   std::vector<double> spring_force;  ///< [springs] k_e b_e·u, positive where it pulls
@@ -42,6 +43,10 @@ struct State {
   std::vector<LoadState> loads;
   std::optional<PriorShare> prior = {};  ///< where the study has one
   Health health;
+
+  std::vector<LoadState> unseen;  ///< under the loads that are held out; empty where none are, or they can't be solved
+  double unseen_error = 0.0;      ///< root mean square of their relative errors
+  std::string unseen_failure;     ///< why there are none although some are held out: a state doesn't fail by that
 };
 
 }  // namespace nodal::elastic
