@@ -58,6 +58,7 @@ const std::map<std::string, int> kTellDimensionsApart = {{"battery/case_system.c
                                                          {"lanes/lane_instructions.cpp", 2},
                                                          {"material/material.cpp", 1},
                                                          {"loads/basic_loads.cpp", 1},
+                                                         {"loads/unseen_loads.cpp", 1},
                                                          {"parameters/parameters.cpp", 1},
                                                          {"parameters/symmetry.cpp", 1},
                                                          {"read/memory_need.cpp", 1},

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "loads/unseen_loads.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
+#include <span>
 
 #include <fmt/format.h>
 
@@ -10,10 +13,19 @@ namespace nodal::elastic {
 
 namespace {
 
-// Stress along `along`, growing with the place across it.
-LoadSpec bending(std::string name, std::size_t along, std::size_t across, const Extent& box, double stress) {
-  LoadSpec spec{std::move(name)};
-  spec.gradient[across][along][along] = stress / (0.5 * box.along(across));
+// Stress along one axis, growing with the place along another.
+struct Bending {
+  const char* name;
+  std::size_t along, across;
+};
+
+constexpr std::array<Bending, 2> kInThePlane = {{{"bend-x", 0, 1}, {"bend-y", 1, 0}}};
+constexpr std::array<Bending, 6> kInSpace = {
+    {{"bend-xy", 0, 1}, {"bend-xz", 0, 2}, {"bend-yx", 1, 0}, {"bend-yz", 1, 2}, {"bend-zx", 2, 0}, {"bend-zy", 2, 1}}};
+
+LoadSpec bent(const Bending& bending, const Extent& box, double stress) {
+  LoadSpec spec{bending.name};
+  spec.gradient[bending.across][bending.along][bending.along] = stress / (0.5 * box.along(bending.across));
   return spec;
 }
 
@@ -27,30 +39,36 @@ LoadSpec twist(std::size_t axis, const Extent& box, double stress) {
   return spec;
 }
 
-LoadSpec oblique_stretch(double stress) {
+// What is neither a bending nor basic.
+std::vector<LoadSpec> in_the_plane(const Extent&, double stress) {
   const double half = 0.5 * stress;
-  return {"stretch-45", {{{half, half, 0.0}, {half, half, 0.0}, {}}}};
+  return {{"stretch-45", {{{half, half, 0.0}, {half, half, 0.0}, {}}}}};
+}
+
+std::vector<LoadSpec> in_space(const Extent& box, double stress) {
+  return {twist(0, box, stress), twist(1, box, stress), twist(2, box, stress)};
+}
+
+struct Lists {
+  std::span<const Bending> bendings;
+  std::vector<LoadSpec> (*others)(const Extent& box, double stress);
+};
+
+Lists lists(std::size_t dimension) {
+  return dimension == 2 ? Lists{kInThePlane, in_the_plane} : Lists{kInSpace, in_space};
 }
 
 }  // namespace
 
 std::vector<LoadSpec> bending_specs(std::size_t dimension, const Extent& box, double stress) {
   std::vector<LoadSpec> specs;
-  for (std::size_t a = 0; a < dimension; ++a)
-    for (std::size_t b = 0; b < dimension; ++b) {
-      if (a == b) continue;
-      const std::string across = dimension > 2 ? std::string(1, kAxisNames[b]) : "";
-      specs.push_back(bending(fmt::format("bend-{}{}", kAxisNames[a], across), a, b, box, stress));
-    }
+  for (const Bending& bending : lists(dimension).bendings) specs.push_back(bent(bending, box, stress));
   return specs;
 }
 
 std::vector<LoadSpec> unseen_load_specs(std::size_t dimension, const Extent& box, double stress) {
   std::vector<LoadSpec> specs = bending_specs(dimension, box, stress);
-  if (dimension > 2)
-    for (std::size_t axis = 0; axis < dimension; ++axis) specs.push_back(twist(axis, box, stress));
-  else
-    specs.push_back(oblique_stretch(stress));
+  std::ranges::move(lists(dimension).others(box, stress), std::back_inserter(specs));
   std::ranges::move(basic_load_specs(dimension, stress, SupportStyle::minimal), std::back_inserter(specs));
   return specs;
 }
