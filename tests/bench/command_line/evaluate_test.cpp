@@ -45,6 +45,31 @@ TEST(EvaluateJson, WithoutAReferenceHasNamesOnly) {
   EXPECT_EQ(state.find("at_bounds"), nullptr);
 }
 
+TEST(Evaluate, TellsOfWhatWasNeverFitted) {
+  const Folder folder;
+  const std::string plate = "[problem]\nkind = \"elastic\"\npoints = { counts = [4, 3] }\n";
+  folder.write("s.toml", plate);
+  const Value state = parse_json(run(folder, {"evaluate", "s.toml", "--json"}).out, "stdout");
+  const Value& unseen = state.at("unseen");
+  EXPECT_GT(unseen.at("error").number(), 0.0);
+  ASSERT_EQ(unseen.at("loads").list().size(), 2u);
+  const Value& bending = unseen.at("loads").list()[0];
+  EXPECT_EQ(bending.at("name").text(), "bend-x");
+  EXPECT_GT(bending.at("relative_error").number(), 0.0);
+  for (const char* by_node : {"displacement", "reference"}) EXPECT_EQ(bending.at(by_node).list().size(), 12u);
+  const std::string text = run(folder, {"evaluate", "s.toml"}).out;
+  EXPECT_TRUE(contains(text, "(root mean square of 2 loads that are never fitted; worst: bend-")) << text;
+  EXPECT_TRUE(contains(text, "\nnever fitted relative error ")) << text;
+  EXPECT_TRUE(contains(text, "\nbend-y ")) << text;
+  EXPECT_FALSE(contains(text, "explicit integration")) << text;
+
+  folder.write("none.toml", plate + "loads = { held_out = \"none\" }\nmasses = { form = \"positive\" }\n");
+  EXPECT_EQ(parse_json(run(folder, {"evaluate", "none.toml", "--json"}).out, "stdout").find("unseen"), nullptr);
+  const std::string without = run(folder, {"evaluate", "none.toml"}).out;
+  EXPECT_FALSE(contains(without, "never fitted") || contains(without, "unseen")) << without;
+  EXPECT_TRUE(contains(without, "explicit integration in time is stable below ")) << without;
+}
+
 TEST(Evaluate, TellsOfALoadThatMovesNothing) {
   const Folder folder;
   folder.write("s.toml", study(folder, "{ nodes = [1], force = [1, 2] }", false));
