@@ -64,7 +64,10 @@ TEST(Evaluate, TellsOfWhatWasNeverFitted) {
   EXPECT_FALSE(contains(text, "explicit integration")) << text;
 
   folder.write("none.toml", plate + "loads = { held_out = \"none\" }\nmasses = { form = \"positive\" }\n");
-  EXPECT_EQ(parse_json(run(folder, {"evaluate", "none.toml", "--json"}).out, "stdout").find("unseen"), nullptr);
+  const Value heavy = parse_json(run(folder, {"evaluate", "none.toml", "--json"}).out, "stdout");
+  EXPECT_EQ(heavy.find("unseen"), nullptr);
+  EXPECT_GE(heavy.at("stable_step_estimate").number(), heavy.at("health").at("stable_step").number());
+  EXPECT_EQ(state.find("stable_step_estimate"), nullptr);
   const std::string without = run(folder, {"evaluate", "none.toml"}).out;
   EXPECT_FALSE(contains(without, "never fitted") || contains(without, "unseen")) << without;
   EXPECT_TRUE(contains(without, "explicit integration in time is stable below ")) << without;

@@ -182,9 +182,13 @@ void hold_out_named(const std::vector<Value>& names, double stress, Scene& scene
 
 void tell_why_none(const Scene& scene, Account& account) {
   if (!scene.has_reference) return account.left_out(kStage, "nothing is fitted");
-  account.left_out(kStage, fmt::format("the reference was measured, and no load is named; loads = {{ held_out = "
-                                       "[\"{}\"] }} would hold out one of the study's own",
-                                       scene.loads.loads.back().name));
+  const std::vector<LoadCase>& own = scene.loads.loads;
+  account.left_out(kStage, own.size() == 1
+                               ? "the reference was measured, and of one load only; another that is measured can be "
+                                 "held out, as loads = { held_out = \"its name\" }"
+                               : fmt::format("the reference was measured, and no load is named; loads = {{ held_out = "
+                                             "[\"{}\"] }} would hold out one of the study's own",
+                                             own.back().name));
 }
 
 }  // namespace

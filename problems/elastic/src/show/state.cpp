@@ -10,6 +10,7 @@
 
 #include <nodal/show/at_bounds.h>
 #include "displacements/findings.h"
+#include "displacements/highest_frequency.h"
 #include "show/state_tables.h"
 
 namespace nodal::elastic::show {
@@ -147,6 +148,8 @@ Value state_json(const std::string& label, const ElasticProblem& problem, std::s
   result.set("loads", Value(std::move(loads)));
   if (!problem.held_out().empty()) result.set("unseen", unseen_json(problem, state));
   result.set("health", health_json(state.health));
+  if (stable_step_of(problem.net(), stiffness))
+    result.set("stable_step_estimate", 2.0 / highest_frequency_estimate(problem.net(), stiffness));
   if (Value undetermined = undetermined_json(problem, stiffness); !undetermined.list().empty())
     result.set("undetermined", std::move(undetermined));
   if (Value details = problem.details(); !details.table().empty()) result.set("details", std::move(details));
@@ -185,7 +188,11 @@ std::string unseen_table(const State& state) {
 
 std::string stable_step_text(const ElasticProblem& problem, std::span<const double> stiffness) {
   const std::optional<double> step = stable_step_of(problem.net(), stiffness);
-  return step ? fmt::format("explicit integration in time is stable below {:.4g} s\n", *step) : std::string();
+  if (!step) return {};
+  return fmt::format(
+      "explicit integration in time is stable below {:.4g} s by a bound of frequencies; by an estimate below {:.4g} "
+      "s\n",
+      *step, 2.0 / highest_frequency_estimate(problem.net(), stiffness));
 }
 
 // What is compared with the reference: errors, and what a fit would make of these stiffnesses.

@@ -8,6 +8,7 @@
 
 #include "../block.h"
 #include "displacements/findings.h"
+#include "displacements/highest_frequency.h"
 
 namespace nodal::elastic {
 namespace {
@@ -65,6 +66,11 @@ TEST(StableStep, IsBelowWhatTheHighestFrequencyAllows) {
     const double step = stable_step_of(problem->net(), stiffness).value();
     EXPECT_LE(step, exact);
     EXPECT_GT(step, 0.5 * exact);  // no less than half, or nobody would use it
+    const double estimate = 2.0 / highest_frequency_estimate(problem->net(), stiffness);  // of all 40 freedoms
+    EXPECT_NEAR(estimate, exact, 1e-12 * exact);
+    const double rough = 2.0 / highest_frequency_estimate(problem->net(), stiffness, 10);
+    EXPECT_GE(rough, exact * (1.0 - 1e-12));
+    EXPECT_LT(rough, 1.1 * exact);
   }
 }
 

@@ -120,6 +120,7 @@ TEST_F(HeldOut, MayBeMeasured) {
   EXPECT_EQ(all->held_out(), Names{});
   EXPECT_PRED2(says, stage(*all), "left out: the reference was measured");
   EXPECT_PRED2(says, stage(*all), "held_out = [\"push\"]");
+  EXPECT_PRED2(says, stage(*read(study("[2, 3]"))), "of one load only; another that is measured can be held out");
   const auto held = read(two_loads("\"push\""));
   EXPECT_EQ(held->held_out(), Names{"push"});
   EXPECT_EQ(fitted(*held), Names{"pull"});
