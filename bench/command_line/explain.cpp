@@ -6,6 +6,7 @@
 
 #include <nodal/exhibit.h>
 #include <nodal/trial.h>
+#include <nodal/unseen.h>
 
 #include "commands.h"
 #include "report/left_out.h"
@@ -13,6 +14,14 @@
 namespace nodal {
 
 namespace {
+
+// How the start does on what is held out; nothing where nothing is, or it can't be evaluated.
+std::string unseen_text(const Problem& problem, Evaluator& evaluator) {
+  UnseenRecord unseen{problem.held_out(), {}, 0, {}};
+  UnseenPoint start{{}, std::vector<double>(unseen.names.size())};
+  if (unseen.names.empty() || evaluator.held_out_errors(problem.space().start(), start.errors) != Status::ok) return {};
+  return fmt::format(", unseen error {:.6g}", unseen.error(start));
+}
 
 void explain_problem(const StudyProblem& entry) {
   const Problem& problem = *entry.problem;
@@ -29,8 +38,9 @@ void explain_problem(const StudyProblem& entry) {
     std::cout << "  at the start: only to be evaluated\n";
   else if (start.ok())
     std::cout << fmt::format(
-        "  at the start: quality {:.10g}{}\n", problem.quality(cost),
-        problem.relative_error(cost) ? fmt::format(", relative error {:.6g}", *problem.relative_error(cost)) : "");
+        "  at the start: quality {:.10g}{}{}\n", problem.quality(cost),
+        problem.relative_error(cost) ? fmt::format(", relative error {:.6g}", *problem.relative_error(cost)) : "",
+        unseen_text(problem, *evaluator));
   else
     std::cout << fmt::format("  at the start: not to be evaluated: {}\n", in_words(start.status));
   if (entry.best_known)
@@ -39,6 +49,7 @@ void explain_problem(const StudyProblem& entry) {
   for (const std::string& remark : problem.remarks()) std::cout << "  note: " << remark << '\n';
   const std::shared_ptr<const Exhibit> exhibit = exhibit_of(problem);
   for (const std::string& note : exhibit->notes_at(exhibit->start())) std::cout << "  note: " << note << '\n';
+  for (const std::string& proposal : exhibit->proposals()) std::cout << "  would determine more: " << proposal << '\n';
   std::cout << '\n';
 }
 

@@ -26,9 +26,9 @@ std::string error_text(const UnseenRecord& unseen, const UnseenPoint& point) {
   for (std::size_t i = 0; i < unseen.names.size(); ++i)
     if (unseen.reports(i)) each.push_back(unseen.names[i] + " " + figure_text(point.errors[i], kDigits));
   const UnseenPoint* start = unseen.at(0);
-  return fmt::format("never fitted: {}: unseen error {}{}", fmt::join(each, ", "),
-                     figure_text(unseen.error(point), kDigits),
-                     start ? ", at the start " + figure_text(unseen.error(*start), kDigits) : "");
+  return fmt::format("unseen error {}{}; of what was never fitted: {}", figure_text(unseen.error(point), kDigits),
+                     start ? fmt::format(" (at the start {})", figure_text(unseen.error(*start), kDigits)) : "",
+                     fmt::join(each, ", "));
 }
 
 }  // namespace

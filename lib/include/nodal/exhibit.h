@@ -93,6 +93,9 @@ class Exhibit {
   /// What is to be known of a result: that the data leave some of its values open, say.
   [[nodiscard]] virtual std::vector<std::string> notes_at(std::span<const double> /*values*/) const { return {}; }
 
+  /// What would make the data say more of the values, for `nodal explain`: a line each, with what it would come to.
+  [[nodiscard]] virtual std::vector<std::string> proposals() const { return {}; }
+
   /// Points side by side for a page; empty where there is nothing to draw, or too much of it.
   [[nodiscard]] virtual ReportPart report(const std::string& /*label*/,
                                           std::span<const LabelledPoint> /*points*/) const {

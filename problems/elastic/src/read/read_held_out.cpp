@@ -21,7 +21,7 @@ namespace nodal::elastic {
 
 namespace {
 
-constexpr std::string_view kStage = "held-out loads";
+constexpr std::string_view kStage = "held-out loads", kAlso = "loads fitted as well";
 
 std::vector<std::string> names_of(const std::vector<LoadSpec>& specs) {
   std::vector<std::string> names;
@@ -41,22 +41,37 @@ std::vector<LoadSpec> specs_of(const Scene& scene, double stress) {
   return unseen_load_specs(scene.net.dimension, extent_of(scene.net.body), stress);
 }
 
+std::vector<std::string> texts_of(const Value& list) {
+  std::vector<std::string> texts;
+  for (const Value& text : list.list()) texts.push_back(text.text());
+  return texts;
+}
+
+void require_different(const char* key, const Value::List& names) {
+  for (std::size_t i = 0; i < names.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (names[i].text() == names[j].text())
+        throw InputError(names[i].source, fmt::format("'{}' names '{}' twice", key, shown(names[i].text())));
+}
+
 // The names of what is held out, each once; none for "none".
 std::vector<Value> named_in(const Value& option) {
   const Value::List& names = option.list();
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    if (names[i].text() == "none" && names.size() > 1)
-      throw InputError(names[i].source, "'held_out' has \"none\" beside names; give either");
-    for (std::size_t j = 0; j < i; ++j)
-      if (names[i].text() == names[j].text())
-        throw InputError(names[i].source, fmt::format("'held_out' names '{}' twice", shown(names[i].text())));
-  }
+  require_different("held_out", names);
+  for (const Value& name : names)
+    if (name.text() == "none" && names.size() > 1)
+      throw InputError(name.source, "'held_out' has \"none\" beside names; give either");
   return names.size() == 1 && names[0].text() == "none" ? std::vector<Value>() : names;
 }
 
 void add(const LoadSet& set, std::size_t load, LoadSetBuilder& to) {
   const LoadCase& one = set.loads[load];
   to.add(one.name, one.forces, one.reference, set.groups[one.group]);
+}
+
+bool hold_the_net(const Net& net, const LoadSet& set) {
+  return std::ranges::all_of(set.groups,
+                             [&](const SupportGroup& group) { return hold_a_rigid_body(structure_of(net), group); });
 }
 
 // One that isn't the study's own: at rest, with a closed form.
@@ -73,10 +88,36 @@ LoadSet make_resting(const Value& name, const Scene& scene, double stress) {
   std::ranges::copy_if(resting, std::back_inserter(all), [&](const auto& n) { return !std::ranges::count(own, n); });
   throw InputError(
       name.source,
-      fmt::format("there is no load '{}' to hold out{}; of this study there are {}, {}", shown(name.text()),
+      fmt::format("there is no load '{}'{}; of this study there are {}, {}", shown(name.text()),
                   name_hint(name.text(), all), fmt::join(own, ", "),
                   border ? fmt::format("at rest {}", fmt::join(resting, ", "))
                          : "and others need a body with an outline to pull at, as body = { size = [4, 4] } has"));
+}
+
+// Loads at rest that the study names to be fitted beside those of its set.
+void fit_also(const Options& problem, bool keeps_shape, Scene& scene, Account& account) {
+  const Options loads = problem.table("loads");
+  if (!loads.has("also")) return;
+  const Value& option = loads.at("also");
+  require_different("also", option.list());
+  if (!scene.has_reference)
+    throw InputError(option.source, "nothing is fitted in this study, for want of a reference; leave 'also' out");
+  LoadSetBuilder fitted(scene.net.freedoms()), added(scene.net.freedoms());
+  for (std::size_t l = 0; l < scene.loads.loads.size(); ++l) add(scene.loads, l, fitted);
+  std::vector<std::string> names;
+  for (const Value& name : option.list()) {
+    if (std::ranges::count(scene.loads.loads, name.text(), &LoadCase::name) > 0)
+      throw InputError(name.source, fmt::format("'{}' is fitted already; leave it out of 'also'", name.text()));
+    const LoadSet resting = make_resting(name, scene, stress_of(loads));
+    add(resting, 0, fitted);
+    add(resting, 0, added);
+    names.push_back(name.text());
+  }
+  if (const LoadSet set = std::move(added).finish(); !keeps_shape || !hold_the_net(scene.net, set))
+    require_rigid(scene.net, set, loads.has("cases"), option.source, account);
+  scene.loads = std::move(fitted).finish();
+  account.used(kAlso, fmt::format("{}: at rest, in closed form", fmt::join(names, ", ")));
+  tell_of_loads(scene.loads, account);
 }
 
 // Whether the reference has some displacement but 0 where springs decide and weights count.
@@ -92,16 +133,10 @@ bool moves(const Scene& scene, const LoadSet& set, const LoadCase& load) {
 
 std::size_t groups_of(const Scene& scene) { return scene.loads.groups.size() + scene.held_out.groups.size(); }
 
-bool hold_the_net(const Scene& scene) {
-  return std::ranges::all_of(scene.held_out.groups, [&](const SupportGroup& group) {
-    return hold_a_rigid_body(structure_of(scene.net), group);
-  });
-}
-
 // Why the scene can't hold out what it would by default; empty when it can.
 std::string flaw_of_default(const Scene& scene, bool keeps_shape) {
   if (!keeps_shape) return "the net keeps its shape only where its loads hold it, and they hold no more than its place";
-  if (!hold_the_net(scene)) return "the net is too thin to be held at two nodes";
+  if (!hold_the_net(scene.net, scene.held_out)) return "the net is too thin to be held at two nodes";
   for (const LoadCase& load : scene.held_out.loads)
     if (!moves(scene, scene.held_out, load)) return fmt::format("no node that counts moves in '{}'", load.name);
   if (!memory_suffices(scene.net.nodes.size(), groups_of(scene), available_memory(), scene.net.dimension))
@@ -110,7 +145,11 @@ std::string flaw_of_default(const Scene& scene, bool keeps_shape) {
 }
 
 void hold_out_bendings(double stress, bool keeps_shape, Scene& scene, Account& account) {
-  const std::vector<LoadSpec> specs = bending_specs(scene.net.dimension, extent_of(scene.net.body), stress);
+  std::vector<LoadSpec> specs = bending_specs(scene.net.dimension, extent_of(scene.net.body), stress);
+  std::erase_if(specs, [&](const LoadSpec& spec) {  // those that are fitted as well
+    return std::ranges::count(scene.loads.loads, spec.name, &LoadCase::name) > 0;
+  });
+  if (specs.empty()) return account.left_out(kStage, "all bendings are fitted");
   std::string flaw;
   try {
     scene.held_out = discretize(specs, scene.net, scene.material);
@@ -134,7 +173,7 @@ void require_fit(const Options& problem, bool keeps_shape, const Value& names, c
                        fmt::format("'{}' can't be held out: no node with a weight moves in it, so there is nothing to "
                                    "be compared",
                                    scene.held_out.loads[l].name));
-  if (!keeps_shape || !hold_the_net(scene))
+  if (!keeps_shape || !hold_the_net(scene.net, scene.held_out))
     require_rigid(scene.net, scene.held_out, problem.table("loads").has("cases"), names.source, account);
   require_memory(scene.net.nodes.size(), groups_of(scene), available_memory(), names.source, scene.net.dimension);
 }
@@ -150,18 +189,23 @@ void tell_of_combinations(const Scene& scene, Account& account) {
   }
 }
 
-void hold_out_named(const std::vector<Value>& names, double stress, Scene& scene, const Source& source,
+void hold_out_named(const std::vector<Value>& names, const Options& loads, Scene& scene, const Source& source,
                     Account& account) {
+  const std::vector<std::string> also = loads.has("also") ? texts_of(loads.at("also")) : std::vector<std::string>();
   LoadSetBuilder held(scene.net.freedoms()), fitted(scene.net.freedoms());
   std::vector<bool> taken(scene.loads.loads.size(), false);
   std::vector<std::string> made;
   for (const Value& name : names) {
     const auto own = std::ranges::find(scene.loads.loads, name.text(), &LoadCase::name);
     if (own == scene.loads.loads.end()) {
-      add(make_resting(name, scene, stress), 0, held);
+      add(make_resting(name, scene, stress_of(loads)), 0, held);
       made.push_back(name.text());
       continue;
     }
+    if (std::ranges::count(also, name.text()) > 0)
+      throw InputError(name.source, fmt::format("'{}' is named in 'also' and in 'held_out': a load is fitted or held "
+                                                "out",
+                                                name.text()));
     const auto l = static_cast<std::size_t>(own - scene.loads.loads.begin());
     add(scene.loads, l, held);
     taken[l] = true;
@@ -193,20 +237,25 @@ void tell_why_none(const Scene& scene, Account& account) {
 
 }  // namespace
 
-Option held_out_option() {
-  return {.name = "held_out",
-          .type = OptionType::text_list,
-          .default_text =
-              "bend-x and bend-y, in space the six bend-xy, …, where the reference is the closed form of "
-              "the basic loads; else none",
-          .help =
-              "loads that are never fitted, but evaluated at what was: names of the study's own, then not fitted; "
-              "or loads of a body at rest, in closed form: bend-x, bend-y, stretch-45, stretch-x, stretch-y, shear, "
-              "in space bend-xy, …, twist-x, -y, -z, stretch-x, …, shear-xy, …; none: \"none\""};
+OptionSchema unseen_options() {
+  return {
+      {.name = "also",
+       .type = OptionType::text_list,
+       .default_text = "none",
+       .help = "loads of a body at rest, in closed form, that are fitted beside those of the set: bend-x, … as "
+               "held_out has them"},
+      {.name = "held_out",
+       .type = OptionType::text_list,
+       .default_text = "bend-x and bend-y, in space the six bend-xy, …, where the reference is the closed form of "
+                       "the basic loads; else none",
+       .help = "loads that are never fitted, but evaluated at what was: names of the study's own, then not fitted; "
+               "or loads of a body at rest, in closed form: bend-x, bend-y, stretch-45, stretch-x, stretch-y, shear, "
+               "in space bend-xy, …, twist-x, -y, -z, stretch-x, …, shear-xy, …; none: \"none\""}};
 }
 
 void read_held_out(const Options& problem, bool keeps_shape, Scene& scene, Account& account) {
   const Options loads = problem.table("loads");
+  fit_also(problem, keeps_shape, scene, account);
   if (!loads.has("held_out")) {
     if (!scene.has_reference || problem.table("reference").has("file")) return tell_why_none(scene, account);
     return hold_out_bendings(stress_of(loads), keeps_shape, scene, account);
@@ -218,7 +267,7 @@ void read_held_out(const Options& problem, bool keeps_shape, Scene& scene, Accou
     throw InputError(option.source,
                      "nothing can be held out of a study in which nothing is fitted, for want of a reference; give "
                      "reference = { file = \"displacements.csv\" }, or leave 'held_out' out");
-  hold_out_named(names, stress_of(loads), scene, option.source, account);
+  hold_out_named(names, loads, scene, option.source, account);
   require_fit(problem, keeps_shape, option, scene, account);
   tell_of_combinations(scene, account);
 }

@@ -2,6 +2,7 @@
 #include "read/study_loads.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -98,7 +99,7 @@ void tell_of_selections(const std::vector<OwnCase>& cases, Account& account) {
 }  // namespace
 
 OptionSchema loads_fields() {
-  return {
+  OptionSchema fields = {
       {.name = "set",
        .type = OptionType::text,
        .default_text = "own when there are cases, else basic",
@@ -116,12 +117,14 @@ OptionSchema loads_fields() {
        .choices = {"edge", "face", "minimal"},
        .help = "of the basic loads. edge: each holds a straight edge of the body (Figure 4); face: the same in space; "
                "minimal: three balanced loads, in space six, rigid motions held (Figure 5)"},
-      held_out_option(),
       {.name = "cases",
        .type = OptionType::table_list,
        .help = "load cases of your own, in the plane; to be fitted they need reference.file",
        .fields = case_fields()},
   };
+  const OptionSchema unseen = unseen_options();
+  fields.insert(std::prev(fields.end()), unseen.begin(), unseen.end());
+  return fields;
 }
 
 void tell_of_loads(const LoadSet& loads, Account& account) {

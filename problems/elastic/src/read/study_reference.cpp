@@ -73,7 +73,6 @@ std::string summary(const std::string& file, const std::vector<MeasuredLoad>& me
 }
 
 constexpr const char* kAnalyticStage = "analytic reference";
-constexpr const char* kMeasuredStage = "measured reference";
 
 }  // namespace
 

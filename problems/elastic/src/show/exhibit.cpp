@@ -68,6 +68,8 @@ std::vector<std::string> ElasticExhibit::notes_at(std::span<const double> stiffn
   return text.empty() ? std::vector<std::string>() : std::vector{std::move(text)};
 }
 
+std::vector<std::string> ElasticExhibit::proposals() const { return propose(problem_); }
+
 ReportPart ElasticExhibit::report(const std::string& label, std::span<const LabelledPoint> points) const {
   if (problem_.net().springs.size() > kMostPicturedSprings) return {};
   std::vector<Picture> pictures;

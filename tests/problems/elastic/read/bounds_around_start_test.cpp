@@ -100,11 +100,11 @@ TEST(BoundsAroundStart, HoldForEveryMethod) {
   for (const char* method : {"annealing", "annealing-adaptive", "gauss-newton", "random-search", "nlopt-lbfgs",
                              "ceres-levenberg-marquardt"}) {
     if (!components().find_optimizer(method)) continue;
-    const Study study = parse_study(
-        "[study]\nseed = 5\nrepeats = 2\nstarts = \"sampled\"\n[budget]\nevaluations = 1500\n" +
-            plate_toml({.poisson = 0.2, .bounds = "{ around = \"start\", factor = 1.25 }"}) +
-            "[[optimizer]]\nuse = \"" + method + "\"\n",
-        "plate.toml", components());
+    const Study study =
+        parse_study("[study]\nseed = 5\nrepeats = 2\nstarts = \"sampled\"\n[budget]\nevaluations = 1500\n" +
+                        plate_toml({.poisson = 0.2, .bounds = "{ around = \"start\", factor = 1.25 }"}) +
+                        "[[optimizer]]\nuse = \"" + method + "\"\n",
+                    "plate.toml", components());
     const auto plate = as_elastic(study);
     for (const int repeat : {0, 1}) {
       const std::vector<double> start = trial_start(study, {0, 0, repeat});

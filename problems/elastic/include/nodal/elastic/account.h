@@ -45,10 +45,11 @@ class Account {
   std::vector<std::string> remarks_, findings_;
 };
 
-/// What stages are called that are told of in two places, where they are used and where they are left out.
+/// What stages are called that are told of, or asked for, in two places.
 inline constexpr std::string_view kVoronoiStage = "iterated Voronoi regions";
 inline constexpr std::string_view kTriangulationStage = "Delaunay triangulation";
 inline constexpr std::string_view kRigidityStage = "rigidity by sparse QR";
 inline constexpr std::string_view kStartStage = "initial stiffness";
+inline constexpr std::string_view kMeasuredStage = "measured reference";
 
 }  // namespace nodal::elastic

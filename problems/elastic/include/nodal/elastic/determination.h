@@ -39,4 +39,9 @@ struct Determination {
 /// determined.
 [[nodiscard]] std::string describe(const Determination& determination, const ElasticProblem& problem);
 
+/// What would determine more stiffnesses where the data leave some open, at the start: fitting what is held out, tying
+/// springs, a prior. A line each, with what stays open then. Empty when all are determined.
+/// Cost     a determination for each.
+[[nodiscard]] std::vector<std::string> propose(const ElasticProblem& problem);
+
 }  // namespace nodal::elastic
