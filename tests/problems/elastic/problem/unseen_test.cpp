@@ -10,6 +10,7 @@
 #include <nodal/trial.h>
 
 #include "../block.h"
+#include "show/state.h"
 
 namespace nodal::elastic {
 namespace {
@@ -160,6 +161,15 @@ TEST(Unseen, ThatCannotBeSolvedFailsNoState) {
   EXPECT_FALSE(state.unseen_failure.empty());
   EXPECT_TRUE(state.unseen.empty());
   EXPECT_EQ(state.quality, at_start(*problem).quality);
+  const std::vector<double>& stiffness = loose.start_stiffness();
+  EXPECT_NE(
+      show::state_text("plate", loose, stiffness, state)
+          .find("unseen error: the loads that are never fitted can't be solved: not_positive_definite: the net is a "
+                "mechanism or not supported"),
+      std::string::npos);
+  EXPECT_EQ(show::state_json("plate", loose, stiffness, state).at("unseen").at("failure").text(), state.unseen_failure);
+  std::vector<double> errors(2);
+  EXPECT_EQ(loose.make_evaluator()->held_out_errors(loose.space().start(), errors), Status::not_positive_definite);
 }
 
 // Everything but clocks, and the names that hashes of options give.
