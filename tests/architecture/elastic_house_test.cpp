@@ -130,22 +130,13 @@ TEST(ElasticHouse, FoldersAreFloors) {
 
 // The lowest floor that may include a public header: what a header declares stands there or above. A scene is known
 // from where equilibria are made of it on, a problem where it is written out and shown.
-const std::map<std::string, std::string> kLowestReaders = {{"account.h", "account"},
-                                                           {"body.h", "account"},
-                                                           {"determination.h", "export"},
-                                                           {"elastic_problem.h", "export"},
-                                                           {"extended_equilibrium.h", "system"},
-                                                           {"loads.h", "rigidity"},
-                                                           {"material.h", "material"},
-                                                           {"mechanism.h", "rigidity"},
-                                                           {"net.h", "triangulation"},
-                                                           {"parameters.h", "parameters"},
-                                                           {"point.h", "account"},
-                                                           {"pruning.h", "export"},
-                                                           {"scene.h", "system"},
-                                                           {"state.h", "system"},
-                                                           {"stiffness.h", "import"},
-                                                           {"vector.h", "account"}};
+const std::map<std::string, std::string> kLowestReaders = {
+    {"account.h", "account"},      {"body.h", "account"},           {"bounds.h", "parameters"},
+    {"determination.h", "export"}, {"elastic_problem.h", "export"}, {"extended_equilibrium.h", "system"},
+    {"loads.h", "rigidity"},       {"material.h", "material"},      {"mechanism.h", "rigidity"},
+    {"net.h", "triangulation"},    {"parameters.h", "parameters"},  {"point.h", "account"},
+    {"pruning.h", "export"},       {"scene.h", "system"},           {"state.h", "system"},
+    {"stiffness.h", "import"},     {"vector.h", "account"}};
 
 TEST(ElasticHouse, PublicHeadersAreIncludedFromTheirFloorOn) {
   const std::regex include("^#include <nodal/elastic/([^>]+)>");
