@@ -151,6 +151,7 @@ OptionSchema weight_fields() {
 Option prior_option() {
   return {.name = "prior",
           .type = OptionType::table,
+          .default_text = "none: fits answer to the data alone",
           .help = "a wish beside the data: stiffnesses near those of the start, which decides what the data leave open",
           .fields = {{.name = "weight",
                       .type = OptionType::number,
