@@ -96,7 +96,9 @@ TEST_P(EveryProblem, LooksAtWhatIsHeldOutWithoutMovingAnything) {
   const Evaluation before = evaluator_->value(first);
   const Work work = evaluator_->work();
   Point g(n_), g_after(n_);
-  if (can_.gradient) ASSERT_EQ(evaluator_->gradient(g), Status::ok);
+  if (can_.gradient) {
+    ASSERT_EQ(evaluator_->gradient(g), Status::ok);
+  }
   const Work with_gradient = evaluator_->work();
   ASSERT_EQ(evaluator_->held_out_errors(first, errors), Status::ok);
   for (const double error : errors) EXPECT_TRUE(std::isfinite(error) && error >= 0.0) << error;
