@@ -16,10 +16,9 @@
 namespace nodal::docs {
 namespace {
 
-const std::string kHowToMend =
-    "docs/unseen_loads.md's table is of another study; make it again with\n  " NODAL_PROGRAM
-    " compare " NODAL_SOURCE_DIR "/bench/scenes/unseen.toml && " UNSEEN_TABLE_TOOL " " NODAL_SOURCE_DIR
-    "/docs/unseen_loads.md results/unseen";
+const std::string kHowToMend = "docs/unseen_loads.md's table is of another study; make it again with\n  " NODAL_PROGRAM
+                               " compare " NODAL_SOURCE_DIR "/bench/scenes/unseen.toml && " UNSEEN_TABLE_TOOL
+                               " " NODAL_SOURCE_DIR "/docs/unseen_loads.md results/unseen";
 
 class UnseenTable : public testing::Test {
  protected:

@@ -11,6 +11,7 @@
 #include <nodal/provenance.h>
 
 #include "../support/components.h"
+#include "../support/untimed.h"
 
 namespace nodal::golden {
 
@@ -107,10 +108,7 @@ Study study_of(const Set& set) {
 }
 
 Value kept(const TrialRecord& record) {
-  TrialRecord told = record;
-  told.seconds = {};
-  told.conditions.reset();
-  for (TracePoint& point : told.trace) point.seconds = 0.0;
+  TrialRecord told = untimed(record);
   if (told.best && told.best->x.size() > 200) {
     Value::List x(told.best->x.begin(), told.best->x.end());
     told.reason += fmt::format(" [best x: {:016x}]", fnv1a(to_json(Value(std::move(x)))));

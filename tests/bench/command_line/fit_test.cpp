@@ -79,7 +79,7 @@ TEST(FitEnd, SaysThatItConvergedAndWhatIsAtABound) {
   EXPECT_TRUE(contains(narrow.err, " of 20 coordinates at the lower bound, ")) << narrow.err;
   EXPECT_TRUE(contains(narrow.err, " at the upper\n")) << narrow.err;
   const Output evaluated = run(folder, {"evaluate", "narrow.toml", "--stiffness", "n.json"});
-  const std::size_t begin = narrow.err.find("; ", narrow.err.find("; unseen error ") + 2) + 2;
+  const std::size_t begin = narrow.err.find("; ", narrow.err.find("; k_max/k_min ") + 2) + 2;
   const std::string counts = narrow.err.substr(begin, narrow.err.find('\n', begin) - begin);
   EXPECT_TRUE(contains(evaluated.out, "\n" + counts + " (0.38 to 0.5 N/m)\n")) << counts << evaluated.out;
 }

@@ -8,6 +8,7 @@
 
 #include <nodal/compare.h>
 
+#include "../../support/untimed.h"
 #include "plate_study.h"
 
 namespace nodal::plate {
@@ -50,12 +51,7 @@ TEST(PlateAnnealing, DoesBetterWithStepsOfItsOwnSize) {
 
 std::map<std::string, std::string> without_seconds(const Store& store) {
   std::map<std::string, std::string> lines;
-  for (TrialRecord record : store.records()) {
-    record.seconds = {};
-    for (TracePoint& point : record.trace) point.seconds = 0.0;
-    record.conditions.reset();  // how many jobs there were, say
-    lines[record.key] = to_json_line(record);
-  }
+  for (const TrialRecord& record : store.records()) lines[record.key] = to_json_line(untimed(record));
   return lines;
 }
 

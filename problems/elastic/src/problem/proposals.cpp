@@ -20,7 +20,8 @@ Determination of_scene(Scene scene, std::span<const double> start) {
 }
 
 std::string outcome(const Determination& found) {
-  if (found.open > 0) return fmt::format("{}{} of {} open", found.examined ? "" : "at least ", found.open, found.coordinates);
+  if (found.open > 0)
+    return fmt::format("{}{} of {} open", found.examined ? "" : "at least ", found.open, found.coordinates);
   return found.examined ? fmt::format("none of {} open", found.coordinates)
                         : fmt::format("{} displacements for {} stiffnesses", found.measured, found.coordinates);
 }
@@ -40,9 +41,10 @@ std::optional<std::string> fit_more(const ElasticProblem& problem, const Determi
   scene.loads.groups.insert(scene.loads.groups.end(), held_out.groups.begin(), held_out.groups.end());
   const Determination then = of_scene(std::move(scene), problem.start_stiffness());
   if (then.open >= now.open) return std::nullopt;
-  return fmt::format("fitting what is held out ({}): {}; loads at rest by loads = {{ also = [\"bend-x\"] }}, others by "
-                     "leaving them out of 'held_out'",
-                     fmt::join(names, ", "), outcome(then));
+  return fmt::format(
+      "fitting what is held out ({}): {}; loads at rest by loads = {{ also = [\"bend-x\"] }}, others by "
+      "leaving them out of 'held_out'",
+      fmt::join(names, ", "), outcome(then));
 }
 
 // As many measured loads like these as there would have to be.
@@ -51,8 +53,8 @@ std::optional<std::string> measure_more(const ElasticProblem& problem, const Det
   const bool measured = !problem.account().detail_of(kMeasuredStage).empty();
   if (!measured || now.measured == 0 || now.measured >= now.coordinates) return std::nullopt;
   const std::size_t wanted = (now.coordinates * loads + now.measured - 1) / now.measured;
-  return fmt::format("measuring more: {} load{} like {} would have as many displacements as there are stiffnesses", wanted,
-                     wanted == 1 ? "" : "s", loads == 1 ? "this one" : "these");
+  return fmt::format("measuring more: {} load{} like {} would have as many displacements as there are stiffnesses",
+                     wanted, wanted == 1 ? "" : "s", loads == 1 ? "this one" : "these");
 }
 
 std::optional<std::string> tie(const ElasticProblem& problem, const Determination& now, const char* rule) {
