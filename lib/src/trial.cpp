@@ -82,12 +82,17 @@ class Run {
     record_.work = evaluator->work();
     note_end(meter, outcome);
     TrialUnseen unseen(problem_, *evaluator, meter, record_);
-    const double unseen_began = since(), unseen_cpu_began = processor_seconds();
-    unseen.measure();
-    const double unseen_seconds = since() - unseen_began, unseen_cpu = processor_seconds() - unseen_cpu_began;
+    std::optional<KeptPoint> chosen;
+    double unseen_seconds = 0.0, unseen_cpu = 0.0;
+    if (study_.budget.validated) {
+      unseen_seconds = -since(), unseen_cpu = -processor_seconds();
+      unseen.measure();
+      chosen = unseen.choose();
+      unseen_seconds += since(), unseen_cpu += processor_seconds();
+    }
     TrialAudit audit(problem_, *evaluator, meter, record_);
     audit.note_start(start);
-    audit.note_best(study_.budget.validated ? unseen.choose() : std::nullopt);
+    audit.note_best(chosen);
     note_claim(meter, outcome);
     const double search_seconds = search_ended - search_began;
     record_.seconds.total = since() - unseen_seconds;
@@ -95,6 +100,9 @@ class Run {
     record_.seconds.optimizer = search_seconds - record_.seconds.evaluation;
     record_.seconds.harness = record_.seconds.total - search_seconds;
     record_.seconds.cpu = std::max(0.0, processor_seconds() - cpu_began - unseen_cpu);
+    // What chooses nothing waits until the clock has stopped.
+    if (!study_.budget.validated) unseen.measure();
+    unseen.note_finding();
   }
 
  private:

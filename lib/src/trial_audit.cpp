@@ -108,8 +108,6 @@ void TrialAudit::note_best(const std::optional<KeptPoint>& chosen) {
                                         : summarize(seen, std::nullopt, "the best point"),
                            x, static_cast<std::int64_t>(problem_.space().at_bounds(x))};
   record_.seconds.to_best = best.at.seconds;
-  const UnseenPoint* unseen = record_.unseen ? record_.unseen->at(best.at.evaluation) : nullptr;
-  if (unseen) record_.health.findings.push_back({kUnseenFinding, record_.unseen->error(*unseen)});
 }
 
 }  // namespace nodal

@@ -67,6 +67,12 @@ void TrialUnseen::measure_at(const KeptPoint& point) {
   points_.push_back(point);
 }
 
+void TrialUnseen::note_finding() {
+  if (!record_.unseen || !record_.best) return;
+  if (const UnseenPoint* best = record_.unseen->at(record_.best->evaluation))
+    record_.health.findings.push_back({kUnseenFinding, record_.unseen->error(*best)});
+}
+
 std::optional<KeptPoint> TrialUnseen::choose() {
   if (!record_.unseen || points_.empty()) return std::nullopt;
   UnseenRecord& unseen = *record_.unseen;

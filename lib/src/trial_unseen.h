@@ -22,6 +22,8 @@ class TrialUnseen {
   /// Under a validated stop: the point to be reported, chosen by every second of what is held out. The trace then ends
   /// there, as if the race had. Without errors to choose by: nothing.
   std::optional<KeptPoint> choose();
+  /// The unseen error of the record's best point, among its findings; nothing where there is none.
+  void note_finding();
 
  private:
   void fail(const std::string& what);

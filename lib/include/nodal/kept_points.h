@@ -61,7 +61,7 @@ class KeptPoints {
 
   std::vector<KeptPoint> points_;
   std::size_t most_ = 0;
-  double length_ = 1.0 / 32.0;  // of an interval, in octaves
+  double length_ = 1.0 / 8.0;  // of an interval, in octaves
   std::int64_t boundary_ = std::numeric_limits<std::int64_t>::max();
 };
 
