@@ -171,8 +171,7 @@ std::optional<std::string> worse_unseen_note(const ProblemTable& table) {
       worse.push_back(fmt::format("{} {}", row.label, median_text(found->second)));
   if (worse.empty()) return std::nullopt;
   return fmt::format(
-      "Worse than their start under loads that were not fitted: {} (start {}). nodal explain says what "
-      "would determine the system.",
+      "Worse than their start in what is held out: {} (start {}). More to fit, a prior or tighter bounds help.",
       fmt::join(worse, ", "), figure_text(*table.unseen->start, kDigits));
 }
 

@@ -35,7 +35,8 @@ std::string table_of(const std::string& readme) {
 
 std::string with_table(std::string readme, const report::ReportData& data) {
   std::string table = report::console_table(data, kWidth);
-  table.erase(table.find(report::table_legend(data.problems).front()));
+  const std::vector<std::string> notes = report::make_text_table(data.problems.front()).notes;
+  table.erase(table.find(notes.empty() ? report::table_legend(data.problems).front() : notes.front()));
   table.erase(table.find_last_not_of('\n') + 1);
   const Range range = range_of(readme);
   return readme.replace(range.begin, range.size, table);

@@ -199,7 +199,7 @@ TEST(ConsoleTable, HasUnseenErrorsBesideTheFittedOnesAndSaysWhoIsWorseThanTheSta
   std::string text = console_table(data, 200);
   EXPECT_NE(text.find("(relative error 0.2880, unseen 0.2840)"), std::string::npos) << text;
   EXPECT_NE(text.find("0.4689"), std::string::npos) << text;
-  EXPECT_NE(text.find("Worse than their start under loads that were not fitted: " + problem.table.rows[0].label +
+  EXPECT_NE(text.find("Worse than their start in what is held out: " + problem.table.rows[0].label +
                       " 0.4689 (start 0.2840)"),
             std::string::npos)
       << text;

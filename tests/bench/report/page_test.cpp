@@ -106,7 +106,7 @@ TEST(Page, DrawsUnseenErrorsInAChartOfTheirOwn) {
   const std::string page = report_html(data);
   EXPECT_EQ(count(page, "figure class=\"race\""), 2u);
   EXPECT_EQ(count(page, "\"title\":\"unseen error\""), 1u);
-  EXPECT_EQ(count(page, "under bend-x, &lt;b&gt;, which no optimizer sees"), 1u);
+  EXPECT_EQ(count(page, "in bend-x, &lt;b&gt;, which no optimizer sees"), 1u);
   EXPECT_EQ(count(unseen_chart_html(problem, 0), "data-height"), 0u);  // no gap to speak of
 }
 
