@@ -136,8 +136,8 @@ void add_fit(CLI::App& app, const Registry& registry, int& exit) {
           "A label of the study, or any optimizer, with the options of the study's entry that uses it if there is one")
       ->type_name("NAME");
   command.add_flag("--validate", to->validate,
-                   "Of the points on the way take the one that does best on every second load that is held out; the "
-                   "others say how good it is");
+                   "Of the points on the way take the one that does best on every second thing that is held out; "
+                   "the others say how good it is");
   const auto prune = command.add_flag("--prune", to->prune,
                                       "Leave out what the system can do without (springs at the lower bound), fit "
                                       "the rest again, and say what that costs");

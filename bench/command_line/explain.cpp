@@ -59,6 +59,8 @@ std::string budget_text(const Budget& budget) {
   if (budget.seconds) add(fmt::format("{:g} s", *budget.seconds));
   if (budget.evaluations) add(fmt::format("{} evaluations", *budget.evaluations));
   if (budget.target_gap) add(fmt::format("gap {:g}", *budget.target_gap));
+  if (!text.empty() && budget.validated)
+    text += ", and reports the point on its way that does best on every second thing held out";
   return text.empty() ? "no budget: the study can be evaluated, but not compared" : "each ends after " + text;
 }
 

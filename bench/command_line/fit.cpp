@@ -68,16 +68,16 @@ std::string findings_text(const std::vector<Finding>& found, const std::vector<F
   return text;
 }
 
-void say_result(const TrialRecord& record, const StudyProblem& entry, const Registry& registry) {
+void say_result(const TrialRecord& record, const StudyProblem& entry, const Registry& registry, bool validated) {
   // How long a fit took matters where the clock has ended it.
   std::cerr << trial_line(record, record.end == End::budget) << '\n';
   if (!record.best) return;
   std::cerr << fmt::format("{}{}; {}\n", ending_text(record, *entry.problem, registry),
                            findings_text(record.health.findings, registry.find_problem(entry.kind)->findings),
                            at_bounds_text(entry.problem->space(), record.best->x));
-  for (const std::string& line : unseen_lines(record)) std::cerr << line << '\n';
-  if (const std::string warning = unseen_warning(record); !warning.empty())
-    std::cerr << fmt::format("note: {}; what helps: --validate, a prior, tighter bounds, more loads to fit\n", warning);
+  for (const std::string& line : unseen_lines(record, validated)) std::cerr << line << '\n';
+  if (const std::string note = unseen_note(record, *entry.problem, validated); !note.empty())
+    std::cerr << fmt::format("note: {}\n", note);
 }
 
 void write_fitted(const FitArguments& arguments, const std::string& text) {
@@ -130,7 +130,7 @@ bool prune_and_refit(const FitArguments& arguments, Study study, std::size_t pro
   study.problems[problem].problem = reduced.problem;
   const TrialRecord record = run_shown(study, problem, registry);
   std::cerr << "fitted again: ";
-  say_result(record, study.problems[problem], registry);
+  say_result(record, study.problems[problem], registry, study.budget.validated);
   if (record.best) fitted.values = fitted.exhibit()->values(record.best->x);
   return record.end != End::failed;
 }
@@ -171,7 +171,7 @@ int fit_command(const FitArguments& arguments, const Registry& registry) {
   say_plan(entry, method, choose_budget(study, arguments.overrides), *exhibit);
 
   const TrialRecord record = run_shown(study, index, registry);
-  say_result(record, entry, registry);
+  say_result(record, entry, registry, study.budget.validated);
   if (!record.best) return kExitTrialFailed;
   FittedSystem fitted{entry.problem, exhibit->values(record.best->x), "fitted by " + method.optimizer.label};
   say(exhibit->notes_at(fitted.values));

@@ -88,6 +88,8 @@ std::string ending_text(const TrialRecord& record, const Problem& problem, const
   if (record.end != End::finished) return std::string(to_string(record.end));
   if (record.limited) return "stopped by the method's own limit, not converged";
   const OptimizerDescription* description = registry.find_optimizer(record.use);
+  if (record.unseen && record.unseen->stop && record.unseen->stop->evaluation < record.unseen->stop->fitted_evaluation)
+    return "done, and an earlier point chosen";
   const bool descends = description && !description->needs.names().empty();
   if (!descends || !record.best) return "done, which by this method proves no optimum";
   // Methods end by criteria of their own, which bounds or bad scales can meet anywhere.

@@ -163,11 +163,14 @@ std::string unseen_chart_html(const ProblemReport& problem, std::size_t index) {
   if (problem.unseen_curves.empty() || !problem.table.unseen) return {};
   const std::span<const Axis> axes = axes_of(problem);
   return "<h3>What is held out</h3>\n" +
-         figure_html("unseen", index, axis_controls("unseen", index, axes),
-                     fmt::format("Unseen error of the best point so far: root mean square of the relative errors in "
-                                 "{}, which no optimizer sees. Median over trials; the band holds the middle half.",
-                                 fmt::join(problem.table.unseen->reported, ", ")),
-                     unseen_value(problem, axes));
+         figure_html(
+             "unseen", index, axis_controls("unseen", index, axes),
+             fmt::format(
+                 "Unseen error of the best point so far: root mean square of the relative errors in "
+                 "{}, which no optimizer sees. Median over trials; the band holds the middle half.{}",
+                 fmt::join(problem.table.unseen->reported, ", "),
+                 problem.table.unseen->chosen_by.empty() ? "" : " Lines go on beyond the points that are reported."),
+             unseen_value(problem, axes));
 }
 
 }  // namespace nodal::report

@@ -163,16 +163,31 @@ std::optional<std::string> disturbed_note(const std::vector<OptimizerRow>& rows)
 
 // Who is worse than the start where nothing was fitted, with the figures.
 std::optional<std::string> worse_unseen_note(const ProblemTable& table) {
-  if (!table.unseen || !table.unseen->start) return std::nullopt;
   std::vector<std::string> worse;
   for (const OptimizerRow& row : table.rows)
-    if (const auto found = row.findings.find(kUnseenFinding);
-        found != row.findings.end() && found->second.median > *table.unseen->start)
-      worse.push_back(fmt::format("{} {}", row.label, median_text(found->second)));
+    if (row.unseen && row.unseen->over_start > 1.0)
+      worse.push_back(fmt::format("{} ({} times)", row.label, figure_text(row.unseen->over_start, 3)));
   if (worse.empty()) return std::nullopt;
-  return fmt::format(
-      "Worse than their start in what is held out: {} (start {}). More to fit, a prior or tighter bounds help.",
-      fmt::join(worse, ", "), figure_text(*table.unseen->start, kDigits));
+  return fmt::format("Worse than their starts in what is held out: {}.", fmt::join(worse, ", "));
+}
+
+// Who was better there on the way.
+std::optional<std::string> risen_unseen_note(const ProblemTable& table) {
+  std::vector<std::string> risen;
+  for (const OptimizerRow& row : table.rows)
+    if (row.unseen && row.unseen->over_start <= 1.0 && row.unseen->error > kRisenUnseen * row.unseen->least)
+      risen.push_back(fmt::format("{} ({})", row.label, figure_text(row.unseen->least, kDigits)));
+  if (risen.empty()) return std::nullopt;
+  return fmt::format("Was less on the way, and rose while the fitted error fell: the unseen error of {}.",
+                     fmt::join(risen, ", "));
+}
+
+std::optional<std::string> missing_unseen_note(const ProblemTable& table) {
+  std::size_t missing = 0;
+  for (const OptimizerRow& row : table.rows) missing += row.unseen_missing;
+  if (missing == 0) return std::nullopt;
+  return fmt::format("What is held out can't be evaluated at the best point of {} trial{}.", missing,
+                     missing == 1 ? "" : "s");
 }
 
 std::optional<std::string> validated_note(const ProblemTable& table) {
@@ -184,7 +199,8 @@ std::optional<std::string> validated_note(const ProblemTable& table) {
 std::vector<std::string> notes_of(const ProblemTable& table) {
   std::vector<std::string> notes;
   for (std::optional<std::string>& note :
-       std::array{disturbed_note(table.rows), worse_unseen_note(table), validated_note(table)})
+       std::array{disturbed_note(table.rows), worse_unseen_note(table), risen_unseen_note(table),
+                  missing_unseen_note(table), validated_note(table)})
     if (note) notes.push_back(std::move(*note));
   return notes;
 }

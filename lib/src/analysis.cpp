@@ -145,6 +145,29 @@ std::size_t count_starts(std::span<const TrialRecord* const> trials) {
   return starts.size();
 }
 
+void set_unseen(std::span<const TrialRecord* const> trials, OptimizerRow& row) {
+  std::vector<double> errors, over_start, least;
+  for (const TrialRecord* trial : trials) {
+    if (!trial->unseen || !trial->best) continue;
+    const UnseenRecord& unseen = *trial->unseen;
+    const UnseenPoint *best = unseen.at(trial->best->evaluation), *start = unseen.at(0);
+    if (!best) {
+      ++row.unseen_missing;
+      continue;
+    }
+    errors.push_back(unseen.error(*best));
+    if (start && unseen.error(*start) > 0.0) over_start.push_back(errors.back() / unseen.error(*start));
+    double lowest = errors.back();
+    for (const UnseenPoint& point : unseen.points) lowest = std::min(lowest, unseen.error(point));
+    least.push_back(lowest);
+  }
+  const auto median = [](std::vector<double> values) {
+    const std::optional<Quartiles> q = quartiles(std::move(values));
+    return q ? q->median : 0.0;
+  };
+  if (!errors.empty()) row.unseen = UnseenRow{median(errors), median(over_start), median(least)};
+}
+
 std::map<std::string, Quartiles> findings_of(std::span<const TrialRecord* const> trials) {
   std::map<std::string, std::vector<double>> values;
   for (const TrialRecord* trial : trials)
@@ -185,6 +208,7 @@ OptimizerRow make_row(const RowRequest& request, std::span<const TrialRecord* co
     return t.best && t.best->at_bounds ? std::optional(static_cast<double>(*t.best->at_bounds)) : std::nullopt;
   });
   row.findings = findings_of(trials);
+  set_unseen(trials, row);
   row.evaluations = quartiles_of(trials, count([](const TrialRecord& t) { return t.counts.evaluations; }));
   row.factorizations = quartiles_of(trials, count([](const TrialRecord& t) { return t.work.factorizations; }));
   row.seconds = quartiles_of(trials, count([](const TrialRecord& t) { return t.seconds.total; }));
@@ -272,8 +296,11 @@ namespace {
 
 std::optional<UnseenSummary> summarize_unseen(const std::vector<const TrialRecord*>& trials) {
   std::optional<UnseenSummary> summary;
+  // A validated stop that could choose says who chose; all trials of a problem have one stop.
+  const bool chosen =
+      std::ranges::any_of(trials, [](const TrialRecord* trial) { return trial->unseen && trial->unseen->stop; });
   for (const TrialRecord* trial : trials) {
-    if (!trial->unseen) continue;
+    if (!trial->unseen || trial->unseen->stop.has_value() != chosen) continue;
     const UnseenRecord& unseen = *trial->unseen;
     if (!summary) {
       summary.emplace();

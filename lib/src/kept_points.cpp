@@ -25,8 +25,9 @@ std::int64_t KeptPoints::interval(std::int64_t evaluation) const {
 }
 
 void KeptPoints::keep(const TracePoint& at, double cost, std::span<const double> x) {
-  // A best that was taken back may leave an older one of the interval of the last that was kept.
-  const bool same = points_.size() > 1 && interval(points_.back().at.evaluation) == interval(at.evaluation);
+  // Where a best was taken back, the one before it may be kept already, or be of the interval of the last that was.
+  const bool again = !points_.empty() && points_.back().at.evaluation == at.evaluation;
+  const bool same = again || (points_.size() > 1 && interval(points_.back().at.evaluation) == interval(at.evaluation));
   if (!same) points_.emplace_back();
   points_.back().at = at;
   points_.back().cost = cost;
@@ -63,7 +64,7 @@ std::vector<std::size_t> evenly_spaced(std::span<const std::int64_t> evaluations
   std::vector<std::size_t> chosen;
   if (evaluations.empty()) return chosen;
   const double last = octaves(evaluations.back());
-  // The first is alone in interval 0.
+  // Evaluation 0 is alone in interval 0.
   const auto interval = [&](std::size_t i) {
     return last > 0.0 ? std::ceil(octaves(evaluations[i]) / last * static_cast<double>(most - 1)) : 0.0;
   };

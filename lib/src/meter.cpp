@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <stdexcept>
 
 #include "work_clock.h"
@@ -69,6 +70,13 @@ void Meter::set_target(double quality) {
   if (start_thrown_) std::rethrow_exception(start_thrown_);
   target_quality_ = quality;
   if (has_best() && problem_.quality(best_cost_) <= quality) stop_ = Stop::target;
+}
+
+// The trace lacks a best point whose quality threw.
+KeptPoint Meter::best() const {
+  const bool traced = !trace_.empty() && trace_.back().evaluation == best_evaluation_;
+  return {traced ? trace_.back() : TracePoint{best_evaluation_, 0.0, 0, std::numeric_limits<double>::quiet_NaN()},
+          best_cost_, best_x_};
 }
 
 double Meter::seconds_now() const noexcept { return seconds_between(began_, Clock::now()); }

@@ -184,6 +184,8 @@ TrialRecord parse_record(std::string_view line, const std::string& name) {
   WorkAndUnit work;
   Reader reader(value, "", name);
   describe(reader, record, work);
+  if (record.unseen && record.unseen->names.size() < (record.unseen->stop ? 2 : 1))
+    throw InputError(fmt::format("{}: not a trial's record: 'unseen' names too few things", name));
   if (record.unseen)
     for (const UnseenPoint& point : record.unseen->points)
       if (point.errors.size() != record.unseen->names.size())

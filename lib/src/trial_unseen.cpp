@@ -32,16 +32,26 @@ std::size_t TrialUnseen::most_points() const {
       std::clamp(allowed, static_cast<double>(KeptPoints::kFewest), static_cast<double>(KeptPoints::kMost)));
 }
 
+// By evaluation. What the race saw as no number has no place in a record.
+std::vector<const KeptPoint*> TrialUnseen::candidates() const {
+  std::vector<const KeptPoint*> points;
+  for (const KeptPoint& point : meter_.kept())
+    if (point.at.evaluation < best_.at.evaluation) points.push_back(&point);
+  points.push_back(&best_);
+  std::erase_if(points, [](const KeptPoint* point) { return !std::isfinite(point->at.quality); });
+  return points;
+}
+
 void TrialUnseen::measure() {
   const std::vector<std::string> names = problem_.held_out();
   if (names.empty() || !meter_.has_best()) return;
   record_.unseen.emplace().names = names;
-  std::vector<KeptPoint> all = meter_.kept();
-  all.push_back(meter_.best());
+  best_ = meter_.best();
+  const std::vector<const KeptPoint*> all = candidates();
   std::vector<std::int64_t> evaluations;
-  for (const KeptPoint& point : all) evaluations.push_back(point.at.evaluation);
+  for (const KeptPoint* point : all) evaluations.push_back(point->at.evaluation);
   try {
-    for (const std::size_t i : evenly_spaced(evaluations, most_points())) measure_at(all[i]);
+    for (const std::size_t i : evenly_spaced(evaluations, most_points())) measure_at(*all[i]);
   } catch (const std::exception& error) {
     fail(fmt::format("evaluating what is held out threw: {}", error.what()));
   } catch (...) {
@@ -64,7 +74,7 @@ void TrialUnseen::measure_at(const KeptPoint& point) {
       return;
     }
   unseen.points.push_back({point.at, std::move(errors)});
-  points_.push_back(point);
+  points_.push_back(&point);
 }
 
 void TrialUnseen::note_finding() {
@@ -79,9 +89,9 @@ std::optional<KeptPoint> TrialUnseen::choose() {
   std::size_t chosen = 0;
   for (std::size_t i = 1; i < points_.size(); ++i)  // of equal ones the one that is fitted better
     if (unseen.choosing_error(unseen.points[i]) <= unseen.choosing_error(unseen.points[chosen])) chosen = i;
-  const KeptPoint& point = points_[chosen];
-  const KeptPoint best = meter_.best();
-  unseen.stop = ValidatedStop{point.at.evaluation, best.at.evaluation, best.at.quality};
+  const KeptPoint& point = *points_[chosen];
+  unseen.stop = ValidatedStop{point.at.evaluation, best_.at.evaluation,
+                              std::isfinite(best_.at.quality) ? best_.at.quality : point.at.quality};
   std::erase_if(record_.trace, [&](const TracePoint& p) { return p.evaluation >= point.at.evaluation; });
   record_.trace.push_back(point.at);
   return point;

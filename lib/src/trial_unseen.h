@@ -5,6 +5,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <nodal/meter.h>
 #include <nodal/record.h>
@@ -13,7 +14,8 @@ namespace nodal {
 
 class TrialUnseen {
  public:
-  /// `record` has the race's work already: what is evaluated here takes a tenth of it at most, or some seconds.
+  /// `record` has the race's work already: where more than the fewest points are evaluated, that takes about a tenth of
+  /// its flops, or as many as take a second or two, priced as full values of the race.
   TrialUnseen(const Problem& problem, Evaluator& evaluator, const Meter& meter, TrialRecord& record);
 
   /// Fills `unseen` of a problem that holds something out. A problem that throws, or whose errors are no numbers, fails
@@ -29,12 +31,14 @@ class TrialUnseen {
   void fail(const std::string& what);
   [[nodiscard]] std::size_t most_points() const;
   void measure_at(const KeptPoint& point);
+  [[nodiscard]] std::vector<const KeptPoint*> candidates() const;
 
   const Problem& problem_;
   Evaluator& evaluator_;
   const Meter& meter_;
   TrialRecord& record_;
-  std::vector<KeptPoint> points_;  // as the record's
+  KeptPoint best_;                        // of the race
+  std::vector<const KeptPoint*> points_;  // of the record's
 };
 
 }  // namespace nodal

@@ -16,7 +16,6 @@ namespace nodal {
 namespace {
 
 constexpr double kManyTimes = 3.0;  // the fitted error
-constexpr double kRisen = 1.25;     // over the least on the way: below it the scatter of points says nothing
 constexpr int kDigits = 3;
 
 template <class Counts>
@@ -79,7 +78,7 @@ std::string unseen_warning(const TrialRecord& record) {
   const auto least =
       std::ranges::min_element(unseen.points, {}, [&](const UnseenPoint& point) { return unseen.error(point); });
   const bool on_the_way = 0 < least->at.evaluation && least->at.evaluation < best->at.evaluation;
-  if (on_the_way && error > kRisen * unseen.error(*least))
+  if (on_the_way && error > kRisenUnseen * unseen.error(*least))
     reasons.push_back(fmt::format("and it was least, {}, at evaluation {}: it rose while the fitted error fell",
                                   text(unseen.error(*least)), least->at.evaluation));
   if (reasons.empty()) return {};

@@ -142,5 +142,29 @@ TEST(UnseenSummary, SaysWhoChoosesAndWhoReports) {
   EXPECT_DOUBLE_EQ(*summary.start, 0.8);
 }
 
+TEST(UnseenRow, IsAgainstEachTrialsOwnStart) {
+  std::vector<TrialRecord> trials;
+  const double starts[] = {1.0, 4.0, 10.0}, ends[] = {0.5, 3.0, 4.0};
+  for (int repeat = 0; repeat < 3; ++repeat) {
+    trials.push_back(trial("a", repeat, {{10, 5.0}, {50, 1.0}}));
+    trials.back().unseen = UnseenRecord{
+        {"x"},
+        {{{0, 0.001, 1, 11.0}, {starts[repeat]}}, {{10, 1.0, 11, 5.0}, {0.25}}, {{50, 5.0, 51, 1.0}, {ends[repeat]}}},
+        0,
+        {}};
+  }
+  const std::vector<RowRequest> rows = {{"a", "a", false, false}};
+  OptimizerRow row = make_table("p", std::nullopt, rows, trials).rows[0];
+  ASSERT_TRUE(row.unseen);
+  EXPECT_DOUBLE_EQ(row.unseen->error, 3.0);
+  EXPECT_DOUBLE_EQ(row.unseen->over_start, 0.5);  // though 3 is more than the first trial's start
+  EXPECT_DOUBLE_EQ(row.unseen->least, 0.25);
+  EXPECT_EQ(row.unseen_missing, 0u);
+  trials[1].unseen->points.pop_back();
+  row = make_table("p", std::nullopt, rows, trials).rows[0];
+  EXPECT_EQ(row.unseen_missing, 1u);
+  EXPECT_DOUBLE_EQ(row.unseen->error, 2.25);
+}
+
 }  // namespace
 }  // namespace nodal

@@ -78,6 +78,21 @@ TEST(KeptPoints, ForgetWhatIsTakenBack) {
   EXPECT_TRUE(kept.due(1));
 }
 
+// A best that was taken back leaves the one before it to be kept once more.
+TEST(KeptPoints, HaveNoEvaluationTwice) {
+  KeptPoints kept;
+  kept.begin(1);
+  const std::vector<double> x = {1.0};
+  kept.keep({0, 0.0, 0, 9.0}, 9.0, x);
+  kept.forget_after(0);
+  kept.moved_to(0);
+  kept.keep({0, 0.0, 0, 9.0}, 9.0, x);
+  ASSERT_EQ(kept.points().size(), 1u);
+  kept.keep({10, 0.0, 0, 8.0}, 8.0, x);
+  kept.keep({10, 0.0, 0, 8.0}, 8.0, x);
+  EXPECT_EQ(kept.points().size(), 2u);
+}
+
 TEST(KeptPoints, AreChosenWithFirstAndLast) {
   std::vector<std::int64_t> evaluations;
   for (std::int64_t e = 0; e < 1000; ++e) evaluations.push_back(e);

@@ -236,8 +236,9 @@ TEST(Contamination, IsSharingCoresAndBeingStoppedToo) {
 }
 
 TEST(Record, HasAnErrorForEveryNameOfItsUnseenPoints) {
-  EXPECT_NE(refusal_with("unseen.names", Value(Value::List{Value("bend-x")})).find("2 errors for 1 name"),
+  EXPECT_NE(refusal_with("unseen.names", Value(Value::List{"a", "b", "c"})).find("2 errors for 3 names"),
             std::string::npos);
+  EXPECT_NE(refusal_with("unseen.names", Value(Value::List{"a"})).find("names too few things"), std::string::npos);
   EXPECT_NE(
       refusal_with("unseen.points", Value(Value::List{Value(Value::List{Value(1), Value(2.0)})})).find("unseen.points"),
       std::string::npos);

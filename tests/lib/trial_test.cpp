@@ -304,6 +304,7 @@ TEST(Trial, WhoseQualityThrowsFailsWithTheReason) {
   ASSERT_TRUE(always.best.has_value());
   EXPECT_EQ(always.best->summary.cost, always.start.cost);
   EXPECT_FALSE(always.best->summary.quality.has_value());
+  EXPECT_EQ(always.best->evaluation, 0);
   EXPECT_EQ(always.counts.evaluations, 0);
 
   // Once only, at the start.

@@ -125,6 +125,19 @@ TEST(ValidatedStop, ReportsThePointThatEverySecondOneChooses) {
   EXPECT_EQ(record.end, End::finished);
 }
 
+TEST(ValidatedStop, ChoosesNothingWhereNothingCanBeEvaluated) {
+  Study study = study_of({{"gone", early, Status::not_positive_definite}, {"late", late}});
+  const TrialRecord whole = run(study);
+  study.budget.validated = true;
+  const TrialRecord record = run(study);
+  ASSERT_TRUE(record.unseen && record.best);
+  EXPECT_FALSE(record.unseen->stop);
+  EXPECT_TRUE(record.unseen->points.empty());
+  EXPECT_GT(record.unseen->failed, 10);
+  EXPECT_EQ(record.best->evaluation, whole.best->evaluation);
+  EXPECT_EQ(record.trace.size(), whole.trace.size());
+}
+
 TEST(ValidatedStop, NeedsTwoThatAreHeldOut) {
   EXPECT_NE(validated_stop_refusal(toy::ToyProblem()).find("nothing is held out"), std::string::npos);
   EXPECT_NE(validated_stop_refusal(toy::ToyProblem(3, toy::bowl, {{"early", early}})).find("only 'early'"),

@@ -61,6 +61,13 @@ struct TargetRow {
   std::array<std::optional<double>, 3> multiple;  ///< baseline's median over this one's; empty: never or no baseline
 };
 
+/// Medians over trials.
+struct UnseenRow {
+  double error = 0.0;       ///< at the best point
+  double over_start = 0.0;  ///< times that of the trial's own start
+  double least = 0.0;       ///< the least on the way, start and best point included
+};
+
 struct OptimizerRow {
   std::string label, use;
   bool baseline = false;
@@ -74,6 +81,8 @@ struct OptimizerRow {
   std::optional<Quartiles> at_bounds;                ///< coordinates of the best points that lie at a bound
   std::optional<Quartiles> evaluations, factorizations, seconds, work;
   std::map<std::string, Quartiles> findings;  ///< by name, of the trials that have one (Health::findings)
+  std::optional<UnseenRow> unseen;            ///< of the trials whose best point has an unseen error
+  std::size_t unseen_missing = 0;             ///< trials in which it can't be told of the best point
   std::array<TargetRow, kTargetGaps.size()> targets;
   std::vector<std::string> reasons;  ///< of failed trials, each once
 

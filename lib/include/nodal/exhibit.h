@@ -96,6 +96,9 @@ class Exhibit {
   /// What would make the data say more of the values, for `nodal explain`: a line each, with what it would come to.
   [[nodiscard]] virtual std::vector<std::string> proposals() const { return {}; }
 
+  /// What makes a fit hold better where nothing was fitted, and isn't done yet: "a prior (prior = { … })".
+  [[nodiscard]] virtual std::vector<std::string> remedies() const { return {}; }
+
   /// Points side by side for a page; empty where there is nothing to draw, or too much of it.
   [[nodiscard]] virtual ReportPart report(const std::string& /*label*/,
                                           std::span<const LabelledPoint> /*points*/) const {

@@ -65,7 +65,7 @@ class KeptPoints {
   std::int64_t boundary_ = std::numeric_limits<std::int64_t>::max();
 };
 
-/// Which of ascending evaluations to take so that there are at most `most`, evenly spaced in the same way; the first
+/// Which of ascending evaluations to take so that there are at most `most`, evenly spaced in the same way; evaluation 0
 /// and the last are among them.
 [[nodiscard]] std::vector<std::size_t> evenly_spaced(std::span<const std::int64_t> evaluations, std::size_t most);
 

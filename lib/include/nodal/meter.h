@@ -131,7 +131,7 @@ class Meter {
   [[nodiscard]] std::span<const double> best_point() const noexcept { return best_x_; }
   [[nodiscard]] std::int64_t best_evaluation() const noexcept { return best_evaluation_; }
   /// The best point as one of those kept. There must be one.
-  [[nodiscard]] KeptPoint best() const { return {trace_.back(), best_cost_, best_x_}; }
+  [[nodiscard]] KeptPoint best() const;
   [[nodiscard]] Stop stop() const noexcept { return stop_; }
   [[nodiscard]] const Counts& counts() const noexcept { return counts_; }
   /// Evaluations that returned another status than ok.

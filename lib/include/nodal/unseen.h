@@ -61,6 +61,9 @@ struct TrialRecord;
 /// Why a problem takes no validated stop: it needs two things that are held out. Empty when it does.
 [[nodiscard]] std::string validated_stop_refusal(const Problem& problem);
 
+/// An unseen error that is larger than its least on the way by less than this is scatter.
+inline constexpr double kRisenUnseen = 1.25;
+
 /// What should be known of a trial's unseen errors, in words with their figures: larger than at the start, more than
 /// three times the fitted error, or larger than on the way. Empty when there is nothing.
 [[nodiscard]] std::string unseen_warning(const TrialRecord& record);

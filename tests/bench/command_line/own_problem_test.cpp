@@ -224,7 +224,7 @@ TEST_F(OwnProblem, IsToldOfWhatItHoldsOut) {
   ASSERT_EQ(call({"compare", "beam.toml"}).exit, 0);
   output = call({"report", "results/beams"});
   EXPECT_TRUE(contains(output.out, "unseen")) << output.out;
-  EXPECT_TRUE(contains(output.out, "Worse than their start in what is held out: random-search")) << output.out;
+  EXPECT_TRUE(contains(output.out, "Worse than their starts in what is held out: random-search (")) << output.out;
   EXPECT_TRUE(contains(read_file(folder_.path() / "results/beams/report.html"), "id=\"unseen-0\""));
   EXPECT_TRUE(contains(read_file(folder_.path() / "results/beams/summary.csv"), "unseen_median"));
 }

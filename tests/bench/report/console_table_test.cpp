@@ -199,16 +199,24 @@ TEST(ConsoleTable, HasUnseenErrorsBesideTheFittedOnesAndSaysWhoIsWorseThanTheSta
   std::string text = console_table(data, 200);
   EXPECT_NE(text.find("(relative error 0.2880, unseen 0.2840)"), std::string::npos) << text;
   EXPECT_NE(text.find("0.4689"), std::string::npos) << text;
-  EXPECT_NE(text.find("Worse than their start in what is held out: " + problem.table.rows[0].label +
-                      " 0.4689 (start 0.2840)"),
+  EXPECT_EQ(text.find("Worse than"), std::string::npos) << text;
+  problem.table.rows[0].unseen = UnseenRow{0.4689, 1.651, 0.07};
+  problem.table.rows[1].unseen = UnseenRow{0.02, 0.1, 0.0125};
+  problem.table.rows[1].unseen_missing = 1;
+  text = console_table(data, 200);
+  EXPECT_NE(text.find("Worse than their starts in what is held out: " + problem.table.rows[0].label + " (1.65 times)."),
             std::string::npos)
       << text;
+  EXPECT_NE(
+      text.find("rose while the fitted error fell: the unseen error of " + problem.table.rows[1].label + " (0.01250)."),
+      std::string::npos)
+      << text;
+  EXPECT_NE(text.find("What is held out can't be evaluated at the best point of 1 trial."), std::string::npos) << text;
   EXPECT_EQ(text.find("stop ="), std::string::npos) << text;
   // Other columns leave before it.
   EXPECT_NE(console_table(data, 100).find("unseen"), std::string::npos);
   problem.table.unseen = UnseenSummary{{"pull"}, {"bend-x", "shear"}, 0.6};
   text = console_table(data, 200);
-  EXPECT_EQ(text.find("Worse than"), std::string::npos) << text;
   EXPECT_NE(text.find("stop = \"unseen\": bend-x, shear chose which point of a trial is reported; unseen errors are "
                       "those of pull."),
             std::string::npos)

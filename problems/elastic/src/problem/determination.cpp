@@ -85,6 +85,7 @@ Determination determine(const ElasticProblem& problem, std::span<const double> s
   const double residuals = static_cast<double>(problem.data_residual_count()),
                coordinates = static_cast<double>(found.coordinates);
   if (residuals * coordinates * std::min(residuals, coordinates) > kMostDeterminationWork) return found;
+  if (residuals * static_cast<double>(problem.parameters().springs()) > kMostJacobianWork) return found;
   if (problem.solve(stiffness).status != Status::ok) return found;
   examine(jacobian_at(problem, stiffness), found);
   return found;

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <nodal/elastic/determination.h>
 
+#include <algorithm>
 #include <optional>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <nodal/error.h>
+
+#include "loads/unseen_loads.h"
 
 namespace nodal::elastic {
 
@@ -26,32 +29,57 @@ std::string outcome(const Determination& found) {
                         : fmt::format("{} displacements for {} stiffnesses", found.measured, found.coordinates);
 }
 
-// The loads that are held out, fitted as well.
-std::optional<std::string> fit_more(const ElasticProblem& problem, const Determination& now) {
-  const LoadSet& held_out = problem.scene().held_out;
-  if (held_out.loads.empty()) return std::nullopt;
+// Loads that are held out, and how a study would fit them.
+struct HeldOut {
+  std::vector<std::size_t> loads;         // of the scene's, those that can be fitted
+  std::vector<std::string> own, resting;  // names
+};
+
+// A study of cases of its own fits no loads at rest beside them.
+HeldOut fittable(const Scene& scene, bool measured) {
+  const std::vector<LoadSpec> specs = unseen_load_specs(scene.net.dimension, extent_of(scene.net.body), 1.0),
+                              basic = basic_load_specs(scene.net.dimension, 1.0, SupportStyle::minimal);
+  HeldOut held;
+  for (std::size_t l = 0; l < scene.held_out.loads.size(); ++l) {
+    const std::string& name = scene.held_out.loads[l].name;
+    const bool resting =
+        std::ranges::count(specs, name, &LoadSpec::name) > 0 && std::ranges::count(basic, name, &LoadSpec::name) == 0;
+    if (resting && measured) continue;
+    held.loads.push_back(l);
+    (resting ? held.resting : held.own).push_back(name);
+  }
+  return held;
+}
+
+std::string how_to_fit(const HeldOut& held) {
+  std::string text;
+  if (!held.own.empty()) text = fmt::format("leave {} out of 'held_out'", fmt::join(held.own, ", "));
+  if (!held.resting.empty())
+    text += fmt::format("{}loads = {{ also = [\"{}\"] }}", text.empty() ? "" : ", ", fmt::join(held.resting, "\", \""));
+  return text;
+}
+
+std::optional<std::string> fit_more(const ElasticProblem& problem, const Determination& now, bool measured) {
+  const HeldOut held = fittable(problem.scene(), measured);
+  if (held.loads.empty()) return std::nullopt;
   Scene scene = problem.scene();
+  const LoadSet out = std::move(scene.held_out);
   scene.held_out = {};
-  std::vector<std::string> names;
-  for (LoadCase load : held_out.loads) {
-    names.push_back(load.name);
+  for (const std::size_t l : held.loads) {
+    LoadCase load = out.loads[l];
     load.group += problem.scene().loads.groups.size();
     scene.loads.loads.push_back(std::move(load));
   }
-  scene.loads.groups.insert(scene.loads.groups.end(), held_out.groups.begin(), held_out.groups.end());
+  scene.loads.groups.insert(scene.loads.groups.end(), out.groups.begin(), out.groups.end());
   const Determination then = of_scene(std::move(scene), problem.start_stiffness());
   if (then.open >= now.open) return std::nullopt;
-  return fmt::format(
-      "fitting what is held out ({}): {}; loads at rest by loads = {{ also = [\"bend-x\"] }}, others by "
-      "leaving them out of 'held_out'",
-      fmt::join(names, ", "), outcome(then));
+  return fmt::format("fitting what is held out ({}): {}", how_to_fit(held), outcome(then));
 }
 
 // As many measured loads like these as there would have to be.
 std::optional<std::string> measure_more(const ElasticProblem& problem, const Determination& now) {
   const std::size_t loads = problem.scene().loads.loads.size();
-  const bool measured = !problem.account().detail_of(kMeasuredStage).empty();
-  if (!measured || now.measured == 0 || now.measured >= now.coordinates) return std::nullopt;
+  if (now.measured == 0 || now.measured >= now.coordinates) return std::nullopt;
   const std::size_t wanted = (now.coordinates * loads + now.measured - 1) / now.measured;
   return fmt::format("measuring more: {} load{} like {} would have as many displacements as there are stiffnesses",
                      wanted, wanted == 1 ? "" : "s", loads == 1 ? "this one" : "these");
@@ -63,7 +91,7 @@ std::optional<std::string> tie(const ElasticProblem& problem, const Determinatio
   try {
     const Determination then = of_scene(std::move(scene), problem.start_stiffness());
     if (then.open >= now.open || then.coordinates >= now.coordinates) return std::nullopt;
-    return fmt::format("tying springs = {{ parameters = \"{}\" }}: {}", rule, outcome(then));
+    return fmt::format("springs = {{ parameters = \"{}\" }}: {}", rule, outcome(then));
   } catch (const Refusal&) {  // a net without a symmetry
     return std::nullopt;
   }
@@ -79,11 +107,12 @@ std::vector<std::string> propose(const ElasticProblem& problem) {
   const auto add = [&](std::optional<std::string> proposal) {
     if (proposal) proposals.push_back(std::move(*proposal));
   };
-  add(measure_more(problem, now));
-  add(fit_more(problem, now));
+  const bool measured = !problem.account().detail_of(kMeasuredStage).empty();
+  if (measured) add(measure_more(problem, now));
+  add(fit_more(problem, now, measured));
   for (const char* rule : {"symmetric", "by-direction", "by-length"}) add(tie(problem, now, rule));
   if (!problem.scene().prior)
-    proposals.emplace_back("a prior = { weight = 1e-4 }: what the loads leave open stays near its start");
+    proposals.emplace_back("prior = { weight = 1e-4 }: what the loads leave open stays near its start");
   return proposals;
 }
 

@@ -83,9 +83,10 @@ LoadSet make_resting(const Value& name, const Scene& scene, double stress) {
     return at(
         name.source, [&] { return discretize({*spec}, scene.net, scene.material); },
         fmt::format("'{}' can't be held out", spec->name));
-  const std::vector<std::string> own = names_of(scene.loads), resting = names_of(specs);
-  std::vector<std::string> all = own;
-  std::ranges::copy_if(resting, std::back_inserter(all), [&](const auto& n) { return !std::ranges::count(own, n); });
+  const std::vector<std::string> own = names_of(scene.loads);
+  std::vector<std::string> resting = names_of(specs), all = own;
+  std::erase_if(resting, [&](const std::string& one) { return std::ranges::count(own, one) > 0; });
+  all.insert(all.end(), resting.begin(), resting.end());
   throw InputError(
       name.source,
       fmt::format("there is no load '{}'{}; of this study there are {}, {}", shown(name.text()),
@@ -99,7 +100,13 @@ void fit_also(const Options& problem, bool keeps_shape, Scene& scene, Account& a
   const Options loads = problem.table("loads");
   if (!loads.has("also")) return;
   const Value& option = loads.at("also");
+  if (option.list().empty()) return;
   require_different("also", option.list());
+  if (loads.has("cases"))  // their sizes have no common measure: errors of the one kind would drown in the other's
+    throw InputError(
+        option.source,
+        "'also' goes with the basic loads, whose 'stress' it has; beside cases of your own hold out, as by "
+        "held_out = [\"bend-x\"], or measure more loads");
   if (!scene.has_reference)
     throw InputError(option.source, "nothing is fitted in this study, for want of a reference; leave 'also' out");
   LoadSetBuilder fitted(scene.net.freedoms()), added(scene.net.freedoms());

@@ -153,12 +153,14 @@ Option prior_option() {
           .type = OptionType::table,
           .default_text = "none: fits answer to the data alone",
           .help = "a wish beside the data: stiffnesses near those of the start, which decides what the data leave open",
-          .fields = {{.name = "weight",
-                      .type = OptionType::number,
-                      .required = true,
-                      .minimum = 0.0,
-                      .minimum_excluded = true,
-                      .help = "w of cost = ½ [(relative error)² + w · mean over springs of ln²(k/k_start)]"}}};
+          .fields = {
+              {.name = "weight",
+               .type = OptionType::number,
+               .required = true,
+               .minimum = 0.0,
+               .minimum_excluded = true,
+               .help = "w of cost = ½ [(relative error)² + w · mean over springs of ln²(k/k_start)]; a best_known and "
+                       "gaps are then of the cost with it"}}};
 }
 
 Option table(const char* name, const char* help, OptionSchema fields) {

@@ -129,7 +129,8 @@ OptionSchema loads_fields() {
 
 void tell_of_loads(const LoadSet& loads, Account& account) {
   const Value* supports = account.data.find("supports");
-  account.used("loads", fmt::format("{} load cases, {} support group{}{}", loads.loads.size(), loads.groups.size(),
+  account.used("loads", fmt::format("{} load case{}, {} support group{}{}", loads.loads.size(),
+                                    loads.loads.size() == 1 ? "" : "s", loads.groups.size(),
                                     loads.groups.size() == 1 ? "" : "s", supports ? ", " + supports->text() : ""));
 }
 

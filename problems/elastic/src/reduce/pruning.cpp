@@ -37,7 +37,8 @@ class Pruner {
     std::vector<Spring> springs;
     for (std::size_t e = 0; e < removed_.size(); ++e)
       if (!removed_[e]) springs.push_back(scene_.net.springs[e]);
-    return is_rigid({scene_.net.dimension, scene_.net.nodes, springs}, scene_.loads);
+    const Structure left{scene_.net.dimension, scene_.net.nodes, springs};
+    return is_rigid(left, scene_.loads) && (scene_.held_out.groups.empty() || is_rigid(left, scene_.held_out));
   }
 
   const Scene& scene_;

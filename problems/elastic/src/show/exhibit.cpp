@@ -70,6 +70,15 @@ std::vector<std::string> ElasticExhibit::notes_at(std::span<const double> stiffn
 
 std::vector<std::string> ElasticExhibit::proposals() const { return propose(problem_); }
 
+std::vector<std::string> ElasticExhibit::remedies() const {
+  const Scene& scene = problem_.scene();
+  std::vector<std::string> remedies = {"more loads to fit"};
+  if (!scene.prior) remedies.emplace_back("a prior (prior = { weight = 1e-4 })");
+  if (scene.stiffness_bounds.shared())
+    remedies.emplace_back("bounds around the start (springs = { bounds = { around = \"start\", factor = 4 } })");
+  return remedies;
+}
+
 ReportPart ElasticExhibit::report(const std::string& label, std::span<const LabelledPoint> points) const {
   if (problem_.net().springs.size() > kMostPicturedSprings) return {};
   std::vector<Picture> pictures;

@@ -24,6 +24,7 @@ class ElasticExhibit final : public Exhibit {
   /// Pictures side by side; none of a net with more than 4,000 springs: a picture of more is grey, and the page grows
   /// by megabytes.
   [[nodiscard]] std::vector<std::string> proposals() const override;
+  [[nodiscard]] std::vector<std::string> remedies() const override;
   [[nodiscard]] ReportPart report(const std::string& label, std::span<const LabelledPoint> points) const override;
   [[nodiscard]] std::vector<ExportFormat> formats() const override;
   [[nodiscard]] std::string write(const ExportFormat& format, std::span<const double> stiffness) const override;

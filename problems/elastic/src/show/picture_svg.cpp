@@ -131,7 +131,7 @@ bool any_unknown(const Picture& picture) {
 }  // namespace
 
 std::string unseen_heading(const Picture& picture) {
-  return fmt::format("Never fitted: unseen error {}", figure_text(picture.unseen_error, 4));
+  return fmt::format("Never fitted: unseen error {} over these loads", figure_text(picture.unseen_error, 4));
 }
 
 std::array<std::string, 2> load_caption(const PicturedLoad& load) {

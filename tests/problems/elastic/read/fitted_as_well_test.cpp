@@ -44,7 +44,8 @@ TEST_F(FittedAsWell, AreTheSameLoadsAsThoseHeldOut) {
   const State with = problem->solve(k), without = held->solve(k);
   for (std::size_t l = 0; l < 4; ++l) EXPECT_EQ(with.loads[l].quality, without.loads[l].quality);
   EXPECT_NEAR(with.loads[4].quality, without.unseen[0].quality, 1e-12 * with.loads[4].quality);
-  EXPECT_NEAR(with.quality * with.quality, without.quality * without.quality + with.loads[4].quality * with.loads[4].quality,
+  EXPECT_NEAR(with.quality * with.quality,
+              without.quality * without.quality + with.loads[4].quality * with.loads[4].quality,
               1e-12 * with.quality * with.quality);
 }
 
@@ -54,6 +55,16 @@ TEST_F(FittedAsWell, AreRefusedWhereTheyMeanNothing) {
   EXPECT_PRED2(says, refusal(plate("also = \"stretch-x\"")), "'stretch-x' is fitted already; leave it out of 'also'");
   EXPECT_PRED2(says, refusal(plate("also = \"bend-x\", held_out = [\"bend-y\", \"bend-x\"]")),
                "'bend-x' is named in 'also' and in 'held_out'");
+  EXPECT_TRUE(fitted(*read(plate("also = []"))).size() == 4);
+}
+
+// Loads of one's own have sizes of their own, and one of the two kinds would count for nothing.
+TEST_F(FittedAsWell, AreRefusedBesideCasesOfOnesOwn) {
+  EXPECT_PRED2(says,
+               refusal("points = { counts = [4, 3] }\n[problem.loads]\nalso = \"bend-x\"\n[[problem.loads.cases]]\n"
+                       "name = \"pull\"\nsupports = [{ edge = \"left\" }]\n"
+                       "tractions = [{ edge = \"right\", traction = [1.0, 0.0] }]\n"),
+               "'also' goes with the basic loads");
 }
 
 }  // namespace

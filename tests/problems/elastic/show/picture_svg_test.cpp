@@ -119,7 +119,7 @@ TEST(PictureSvg, PutsWhatWasNeverFittedUnderAHeading) {
   const std::string picture = picture_svg(plate);
   EXPECT_EQ(fixture::WellFormed(picture).error(), "");
   EXPECT_EQ(count(picture, "<g class=\"load\""), 3u);
-  const std::size_t heading = picture.find(">Never fitted: unseen error 0.1250</text>");
+  const std::size_t heading = picture.find(">Never fitted: unseen error 0.1250 over these loads</text>");
   ASSERT_NE(heading, std::string::npos);
   EXPECT_LT(picture.find(">stretch-y</text>"), heading);
   EXPECT_LT(heading, picture.find(">shear, never fitted</text>"));

@@ -36,7 +36,7 @@ TEST(PicturesHtml, ShowWhatWasNeverFittedApart) {
   const std::string html = pictures_html(std::vector{picture});
   EXPECT_EQ(count(html, "<svg class=\"plate load\""), 2u);
   EXPECT_EQ(count(html, "<div class=\"plates"), 2u);
-  const std::size_t heading = html.find("<h4>Never fitted: unseen error 0.2500</h4>");
+  const std::size_t heading = html.find("<h4>Never fitted: unseen error 0.2500 over these loads</h4>");
   ASSERT_NE(heading, std::string::npos);
   EXPECT_LT(heading, html.find("bend-x, never fitted<br><small>relative error 0.2500</small>"));
 }

@@ -9,8 +9,8 @@
 /// 1 that moves the displacements by so little is below what J itself is computed to, and below any measurement. A
 /// prior is no measurement: what it alone decides is undetermined.
 ///
-/// Cost     residuals × coordinates × the lesser of both; above kMostDeterminationWork nothing but the numbers are
-///          compared.
+/// Cost     residuals × coordinates × the lesser of both; above kMostDeterminationWork, or with a Jacobian above
+///          kMostJacobianWork, nothing but the numbers are compared.
 /// Threads  a pure function.
 
 #include <span>
@@ -23,6 +23,8 @@ namespace nodal::elastic {
 
 /// About half a second.
 inline constexpr double kMostDeterminationWork = 3e7;
+/// Residuals × springs: the Jacobian's own cost, whatever is tied.
+inline constexpr double kMostJacobianWork = 1e7;
 
 struct Determination {
   bool examined = false;     ///< false when J is too large, or there is no equilibrium here

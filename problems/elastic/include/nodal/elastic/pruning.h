@@ -4,8 +4,9 @@
 /// Leaves out springs that a fit has driven to the lower bound: they hold next to nothing, and a simulator needn't
 /// compute them.
 ///
-/// A spring is removed when its stiffness is within a share of the lower bound, the net stays rigid under every group
-/// of supports without it, and the error grows by no more than a limit. Those go first that hold the least energy.
+/// A spring is removed when its stiffness is within a share of the lower bound, the net stays rigid without it under
+/// every group of supports, those of held-out loads too, and the error grows by no more than a limit. Those go first
+/// that hold the least energy.
 ///
 /// Shapes   stiffness: [springs].
 /// Units    N/m.
