@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The paper's annealing of the plate with its bendings held out over the same without, by the records' own clock: what a
-// race pays for points that are kept to be looked at after it. Required: ratio ≤ 1.03.
+// The paper's annealing of the plate with its bendings held out over the same without, by the records' own clock: what
+// a race pays for points that are kept to be looked at after it. Required: ratio ≤ 1.03.
 #include <algorithm>
 #include <vector>
 
