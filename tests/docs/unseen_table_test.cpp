@@ -26,6 +26,8 @@ class UnseenTable : public testing::Test {
     if (!is_complete(components())) GTEST_SKIP() << "this build lacks a library";
     rows_ = unseen_rows(read_page("unseen_loads.md"));
     study_ = read_study(NODAL_SOURCE_DIR "/bench/scenes/unseen.toml", components());
+    study_.budget.seconds.reset();  // figures that don't depend on the machine's speed
+    study_.budget.evaluations = 1200;
   }
 
   std::size_t problem(const std::string& label) const {
