@@ -63,7 +63,9 @@ TEST(Evaluate, TellsOfWhatWasNeverFitted) {
   EXPECT_TRUE(contains(text, "\nbend-y ")) << text;
   EXPECT_FALSE(contains(text, "explicit integration")) << text;
 
-  folder.write("none.toml", plate + "loads = { held_out = \"none\" }\nmasses = { form = \"positive\" }\n");
+  folder.write("none.toml",
+               "[problem]\nkind = \"elastic\"\npoints = { counts = [5, 4] }\nloads = { held_out = \"none\" }\n"
+               "masses = { form = \"least-norm\" }\n");
   const Value heavy = parse_json(run(folder, {"evaluate", "none.toml", "--json"}).out, "stdout");
   EXPECT_EQ(heavy.find("unseen"), nullptr);
   EXPECT_GE(heavy.at("stable_step_estimate").number(), heavy.at("health").at("stable_step").number());

@@ -56,7 +56,7 @@ double highest_frequency(const Net& net, std::span<const double> stiffness) {
 
 TEST(StableStep, IsBelowWhatTheHighestFrequencyAllows) {
   const auto problem = as_elastic(
-      parse_study("[problem]\nkind = \"elastic\"\npoints = { counts = [5, 4] }\nmasses = { form = \"positive\" }\n",
+      parse_study("[problem]\nkind = \"elastic\"\npoints = { counts = [5, 4] }\nmasses = { form = \"least-norm\" }\n",
                   "study.toml", components()));
   RandomStream random(2);
   for (int trial = 0; trial < 20; ++trial) {
@@ -76,7 +76,7 @@ TEST(StableStep, IsBelowWhatTheHighestFrequencyAllows) {
 
 TEST(StableStep, IsAFindingOfStatesAndAudits) {
   const auto problem = as_elastic(
-      parse_study("[problem]\nkind = \"elastic\"\nmasses = { form = \"positive\" }\n", "study.toml", components()));
+      parse_study("[problem]\nkind = \"elastic\"\nmasses = { form = \"least-norm\" }\n", "study.toml", components()));
   const auto evaluator = problem->make_evaluator();
   ASSERT_TRUE(evaluator->audit(problem->space().start()).ok());
   const State state = problem->solve(problem->start_stiffness());
