@@ -23,6 +23,10 @@ using Tensor = std::array<Vector, 3>;
   return {dot(t[0], v), dot(t[1], v), dot(t[2], v)};
 }
 
+/// S of ε = S σ in Voigt's order xx, yy, zz, yz, zx, xy, with γ = 2ε for the last three: symmetric [1/Pa]. Of a body in
+/// the plane what its plane stress or strain answers with: rows and columns of zz, yz and zx are 0.
+using Compliance = std::array<std::array<double, 6>, 6>;
+
 /// A material in a body of so many dimensions.
 struct Elasticity {
   std::size_t dimension = 2;
