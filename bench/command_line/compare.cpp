@@ -50,14 +50,19 @@ std::string way_on(const CompareArguments& arguments) {
 }  // namespace
 
 int compare_command(const CompareArguments& arguments, const Registry& registry) {
-  const Study study = read_study(arguments.study, registry, arguments.overrides);
+  const auto directory_of = [&](const std::string& study) {
+    return arguments.out.empty() ? "results/" + study : arguments.out;
+  };
+  StudyOverrides overrides = arguments.overrides;
+  overrides.cache = [&](const std::string& study) { return Store::cache_of(directory_of(study)); };
+  const Study study = read_study(arguments.study, registry, overrides);
   CompareOptions options;
   options.jobs = arguments.jobs;
   options.rerun = arguments.rerun;
   options.fresh = arguments.fresh;
   require_comparable(study, options);  // before anything is written
   say_left_out(study);
-  const std::string directory = arguments.out.empty() ? "results/" + study.name : arguments.out;
+  const std::string directory = directory_of(study.name);
   const CompareResult result = run(study, registry, directory, options);
   if (result.interrupted) {
     std::cerr << fmt::format("interrupted: {} trials of this run are stored in '{}'; {}\n", result.ran, directory,

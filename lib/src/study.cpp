@@ -171,7 +171,8 @@ class StudyReader {
   void make(const ProblemDescription& description, const Value& entry, StudyProblem& problem) const {
     try {
       InputFiles files(study_.path.parent_path());
-      problem.problem = description.make(problem.options, {files, entry.source});
+      const ResultCache cache = overrides_.cache ? ResultCache(overrides_.cache(study_.name)) : ResultCache();
+      problem.problem = description.make(problem.options, {files, entry.source, cache});
       problem.fingerprint = files.fingerprint();
     } catch (const InputError&) {  // says where and what
       throw;

@@ -21,6 +21,7 @@
 #include <nodal/optimizer.h>
 #include <nodal/options.h>
 #include <nodal/problem.h>
+#include <nodal/result_cache.h>
 
 namespace nodal {
 
@@ -49,6 +50,7 @@ struct OptimizerDescription {
 struct ProblemContext {
   InputFiles& files;
   Source source;
+  ResultCache cache = {};  ///< for what takes long to make of the problem's inputs
 };
 
 /// A problem of a kind that tests and examples may take: small, made in no time.

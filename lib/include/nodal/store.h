@@ -35,6 +35,10 @@ class Store {
   Store& operator=(Store&&) noexcept;
 
   [[nodiscard]] const std::filesystem::path& directory() const noexcept;
+  /// Where a store keeps what takes long to make (result_cache.h).
+  [[nodiscard]] static std::filesystem::path cache_of(const std::filesystem::path& directory) {
+    return directory / "cache";
+  }
   /// Dropped lines, another study, trials of other builds or processors (than this one after `begin`, than the last
   /// run's in a store opened for reading), for people.
   [[nodiscard]] const std::vector<std::string>& warnings() const noexcept;

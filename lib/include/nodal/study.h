@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -77,6 +78,8 @@ struct StudyOverrides {
   std::optional<std::uint64_t> seed;
   std::optional<int> repeats;
   std::vector<std::string> only;  ///< labels, or a `use` that one entry has; several separated by commas
+  /// Where a study of this name keeps what takes long to make (result_cache.h); nowhere without it.
+  std::function<std::filesystem::path(const std::string& study)> cache = {};
 };
 
 /// Reads a study. InputError ("file:line: …") for everything that is wrong with it: syntax, an unknown key, type,

@@ -15,7 +15,11 @@ class LoadSetBuilder {
   explicit LoadSetBuilder(const Freedoms& freedoms) : freedoms_(freedoms) {}
 
   /// The group's supports in any order, each freedom once; the reference is what they say where they hold.
-  void add(std::string name, std::vector<double> forces, std::vector<double> reference, SupportGroup group);
+  /// `uncertainty` as LoadCase has it.
+  void add(std::string name, std::vector<double> forces, std::vector<double> reference, SupportGroup group,
+           std::vector<double> uncertainty = {});
+  /// A load of another set.
+  void add(const LoadSet& set, std::size_t load);
 
   [[nodiscard]] LoadSet finish() && { return std::move(set_); }
 

@@ -30,6 +30,9 @@ struct LoadSpec {
   StressGradient gradient{};  ///< how the stress grows from there; of bodies at rest only
 };
 
+/// What `stress` is said of: the middle of the body's bounding box.
+[[nodiscard]] Vector centre_of(const Body& body);
+
 /// Those of make_basic_loads (nodal/elastic/loads.h), in its order.
 [[nodiscard]] std::vector<LoadSpec> basic_load_specs(std::size_t dimension, double stress, SupportStyle style);
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <map>
 #include <span>
 
@@ -89,7 +90,7 @@ std::string counted(std::size_t count, const char* what) {
 }
 
 // Returns what was selected, for people, as the other two do.
-std::string add_forces(const Options& table, const Net& net, std::span<double> forces) {
+std::string add_forces(const Options& table, const Net& net, std::span<double> forces, BodyLoad& body) {
   const std::vector<std::size_t> nodes = select_nodes(table, net);
   const std::string key = one_of(table, {"force", "total"});
   const std::vector<double> force = table.numbers(key);
@@ -97,36 +98,47 @@ std::string add_forces(const Options& table, const Net& net, std::span<double> f
   for (const std::size_t node : nodes)
     for (std::size_t axis = 0; axis < net.dimension; ++axis)
       forces[net.freedoms().at(node, axis)] += share * force[axis];
+  body.forces_on_nodes = true;
   return fmt::format("force on {}: {}", describe_selection(table), counted(nodes.size(), "node"));
 }
 
 // A constant traction pulls with t · length · traction, whatever the direction of the edge.
-void add_traction(const Net& net, const BorderPiece& piece, const std::vector<double>& traction,
-                  std::span<double> forces) {
+void add_traction(const Net& net, const BorderPiece& piece, const Vector& traction, std::span<double> forces) {
   const double share = piece.share * norm(piece.area);
   for (const std::size_t node : piece.nodes)
     for (std::size_t axis = 0; axis < net.dimension; ++axis)
       forces[net.freedoms().at(node, axis)] += share * traction[axis];
 }
 
-std::string add_tractions(const Options& table, const Net& net, std::span<double> forces) {
-  const std::vector<std::size_t> nodes = select_nodes(table, net);
+// What a traction says: t, or the stress whose σ·n it is.
+BorderPull pull_of(const Options& table) {
   const std::string key = one_of(table, {"traction", "pressure", "stress"});
-  std::size_t pieces = 0;
+  BorderPull pull;
+  if (key == "traction") {
+    const std::vector<double> t = table.numbers(key);
+    pull.traction = {t[0], t[1], 0.0};
+  } else if (key == "pressure") {
+    const double p = table.number(key);
+    pull.stress.at_centre = {{{-p, 0.0, 0.0}, {0.0, -p, 0.0}, {}}};
+  } else {
+    const std::vector<double> s = table.numbers(key);
+    pull.stress.at_centre = {{{s[0], s[2], 0.0}, {s[2], s[1], 0.0}, {}}};
+  }
+  return pull;
+}
+
+std::string add_tractions(const Options& table, const Net& net, std::span<double> forces, BodyLoad& body) {
+  const std::vector<std::size_t> nodes = select_nodes(table, net);
+  BorderPull pull = pull_of(table);
+  const bool constant = table.has("traction");
+  std::size_t index = 0;
   for_each_border_piece(net, [&](const BorderPiece& piece) {
+    const std::size_t k = index++;
     if (!piece.within(nodes)) return;
-    ++pieces;
-    if (key == "traction") {
-      add_traction(net, piece, table.numbers(key), forces);
-    } else if (key == "pressure") {
-      const double p = table.number(key);
-      add_stress(net, piece, {{{-p, 0.0, 0.0}, {0.0, -p, 0.0}, {}}}, forces);
-    } else {
-      const std::vector<double> s = table.numbers(key);
-      add_stress(net, piece, {{{s[0], s[2], 0.0}, {s[2], s[1], 0.0}, {}}}, forces);
-    }
+    pull.pieces.push_back(k);
+    constant ? add_traction(net, piece, pull.traction, forces) : add_stress(net, piece, pull.stress.at_centre, forces);
   });
-  if (pieces == 0)
+  if (pull.pieces.empty())
     throw InputError(
         table.values().source,
         net.body.has_outline()
@@ -135,8 +147,11 @@ std::string add_tractions(const Options& table, const Net& net, std::span<double
                           describe_selection(table), counted(nodes.size(), "node"))
             : "a traction needs a body with an outline to pull at, and this one has none; describe it, as by body = { "
               "size = [4, 4] }, or give forces");
-  return fmt::format("{} on {}: {}, {} of the outline", key, describe_selection(table), counted(nodes.size(), "node"),
-                     counted(pieces, "piece"));
+  const std::string told =
+      fmt::format("{} on {}: {}, {} of the outline", one_of(table, {"traction", "pressure", "stress"}),
+                  describe_selection(table), counted(nodes.size(), "node"), counted(pull.pieces.size(), "piece"));
+  body.pulls.push_back(std::move(pull));
+  return told;
 }
 
 struct Held {
@@ -156,7 +171,18 @@ bool only_on_supports(std::span<const double> forces, const std::map<std::size_t
   return some;
 }
 
-std::string add_supports(const Options& table, const Net& net, std::map<std::size_t, Held>& held) {
+// The pieces that a support holds, whose nodes it holds all.
+std::vector<std::size_t> pieces_within(const Net& net, const std::vector<std::size_t>& nodes) {
+  std::vector<std::size_t> pieces;
+  std::size_t index = 0;
+  for_each_border_piece(net, [&](const BorderPiece& piece) {
+    if (piece.within(nodes)) pieces.push_back(index);
+    ++index;
+  });
+  return pieces;
+}
+
+std::string add_supports(const Options& table, const Net& net, std::map<std::size_t, Held>& held, BodyLoad& body) {
   const std::string& fix = table.text("fix");
   const bool measured = table.boolean("measured");
   if (measured && table.has("displacement"))
@@ -175,29 +201,51 @@ std::string add_supports(const Options& table, const Net& net, std::map<std::siz
                                      net.id(node), kAxisNames[axis], earlier->second.source.text()));
     }
   }
+  if (const std::vector<std::size_t> pieces = pieces_within(net, nodes); !pieces.empty())
+    for (std::size_t axis = 0; axis < net.dimension; ++axis)
+      if (fix.find(kAxisNames[axis]) != std::string::npos)
+        body.holds.push_back({pieces, axis, measured ? 0.0 : at[axis]});
   return fmt::format("support of {}: {}", describe_selection(table), counted(nodes.size(), "node"));
 }
 
+// What is held without a piece of the border beside it.
+std::vector<Support> points_of(const BodyLoad& body, const std::vector<Support>& supports, const Net& net) {
+  std::vector<bool> along(net.freedoms().size(), false);
+  std::size_t index = 0;
+  for_each_border_piece(net, [&](const BorderPiece& piece) {
+    const std::size_t k = index++;
+    for (const BorderHold& hold : body.holds)
+      if (std::ranges::binary_search(hold.pieces, k))
+        for (const std::size_t node : piece.nodes) along[net.freedoms().at(node, hold.axis)] = true;
+  });
+  std::vector<Support> points;
+  std::ranges::copy_if(supports, std::back_inserter(points),
+                       [&](const Support& s) { return !along[net.freedoms().at(s.node, s.axis)]; });
+  return points;
+}
+
 OwnCase read_case(const Options& table, const Net& net) {
-  OwnCase result{table.text("name"), std::vector<double>(net.freedoms().size(), 0.0), {}, {}, table.values().source};
-  if (result.name.empty()) throw InputError(table.at("name").source, "the name of a load may not be empty");
+  OwnCase result{{table.text("name"), std::vector<double>(net.freedoms().size(), 0.0)}, table.values().source};
+  PlacedLoad& load = result.load;
+  if (load.name.empty()) throw InputError(table.at("name").source, "the name of a load may not be empty");
   std::map<std::size_t, Held> held;
   const auto note = [&](std::string selection) { result.selections.push_back(std::move(selection)); };
-  for (const Options& support : table.tables("supports")) note(add_supports(support, net, held));
+  for (const Options& support : table.tables("supports")) note(add_supports(support, net, held, load.body));
   const auto pull = [&](const Options& entry, auto add) {
-    std::vector<double> own(result.forces.size(), 0.0);
-    note(add(entry, net, own));
+    std::vector<double> own(load.forces.size(), 0.0);
+    note(add(entry, net, own, load.body));
     if (only_on_supports(own, held)) result.idle.push_back(result.selections.back());
-    std::ranges::transform(own, result.forces, result.forces.begin(), std::plus<>());
+    std::ranges::transform(own, load.forces, load.forces.begin(), std::plus<>());
   };
   for (const Options& force : table.tables("forces")) pull(force, add_forces);
   for (const Options& traction : table.tables("tractions")) pull(traction, add_tractions);
-  bool moved = std::ranges::any_of(result.forces, [](double f) { return f != 0.0; });
+  bool moved = std::ranges::any_of(load.forces, [](double f) { return f != 0.0; });
   for (const auto& [freedom, hold] : held) {
-    result.supports.push_back({net.freedoms().node_of(freedom), net.freedoms().axis_of(freedom), hold.value});
-    if (hold.measured) result.held_as_measured.push_back(freedom);
+    load.group.supports.push_back({net.freedoms().node_of(freedom), net.freedoms().axis_of(freedom), hold.value});
+    if (hold.measured) load.held_as_reference.push_back(freedom);
     moved = moved || hold.measured || hold.value != 0.0;
   }
+  load.body.points = points_of(load.body, load.group.supports, net);
   if (!moved) {
     std::size_t free = net.nodes.size() - 1;  // a node that the forces may pull down, so that the advice can be pasted
     while (free > 0 && held.contains(net.freedoms().at(free, 1))) --free;
@@ -207,7 +255,7 @@ OwnCase read_case(const Options& table, const Net& net) {
         fmt::format(
             "nothing pulls or moves in load '{}': give it forces, as forces = [{{ {}, force = [0, -1] }}], {}"
             "or supports that move, as {{ {}, displacement = [0.1, 0] }}",
-            result.name, node,
+            load.name, node,
             net.body.has_outline() ? "tractions, as tractions = [{ edge = \"right\", traction = [1, 0] }], " : "",
             node));
   }
@@ -241,10 +289,11 @@ std::vector<OwnCase> read_own_cases(const std::vector<Options>& cases, const Net
   std::vector<OwnCase> read;
   for (const Options& table : cases) {
     OwnCase one = read_case(table, net);
-    const auto earlier = std::ranges::find(read, one.name, &OwnCase::name);
+    const auto earlier =
+        std::ranges::find_if(read, [&](const OwnCase& other) { return other.load.name == one.load.name; });
     if (earlier != read.end())
-      throw InputError(one.source,
-                       fmt::format("two loads are called '{}'; the other one: {}", one.name, earlier->source.text()));
+      throw InputError(one.source, fmt::format("two loads are called '{}'; the other one: {}", one.load.name,
+                                               earlier->source.text()));
     read.push_back(std::move(one));
   }
   return read;

@@ -8,17 +8,15 @@
 #include <string>
 #include <vector>
 
-#include <nodal/elastic/loads.h>
 #include <nodal/options.h>
+
+#include "loads/placed_load.h"
 
 namespace nodal::elastic {
 
-/// A load case before its reference and its group are known.
+/// A load case before its reference and its group are known. What it holds as measured is held as the reference has it.
 struct OwnCase {
-  std::string name;
-  std::vector<double> forces;                 ///< [2 · nodes]
-  std::vector<Support> supports;              ///< ascending freedoms, each once
-  std::vector<std::size_t> held_as_measured;  ///< freedoms among them whose value is to come from the reference
+  PlacedLoad load;
   Source source;
   std::vector<std::string> selections = {};  ///< what each selection took, for people
   std::vector<std::string> idle = {};        ///< the selections whose forces act only where supports hold the nodes

@@ -33,12 +33,12 @@ void tell_of_idle_loads(const std::vector<OwnCase>& cases, const Scene& scene, A
       for (const std::string& idle : one.idle)
         account.finding(
             fmt::format("load '{}': {}, but only where supports hold: they bear all of it, and nothing moves by it",
-                        one.name, idle));
+                        one.load.name, idle));
       continue;
     }
     const bool pulled = std::ranges::any_of(load.forces, [](double f) { return f != 0.0; });
     const std::string why = fmt::format(
-        "nothing moves in load '{}': {}", one.name,
+        "nothing moves in load '{}': {}", one.load.name,
         !pulled            ? "its supports are held as measured, which is at rest, and nothing pulls"
         : one.idle.empty() ? "what pulls acts only where supports hold, and they bear all of it"
                            : fmt::format("what pulls acts only where supports hold, and they bear all of it ({})",

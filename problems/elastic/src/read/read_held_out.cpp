@@ -64,24 +64,19 @@ std::vector<Value> named_in(const Value& option) {
   return names.size() == 1 && names[0].text() == "none" ? std::vector<Value>() : names;
 }
 
-void add(const LoadSet& set, std::size_t load, LoadSetBuilder& to) {
-  const LoadCase& one = set.loads[load];
-  to.add(one.name, one.forces, one.reference, set.groups[one.group]);
-}
-
 bool hold_the_net(const Net& net, const LoadSet& set) {
   return std::ranges::all_of(set.groups,
                              [&](const SupportGroup& group) { return hold_a_rigid_body(structure_of(net), group); });
 }
 
 // One that isn't the study's own: at rest, with a closed form.
-LoadSet make_resting(const Value& name, const Scene& scene, double stress) {
+LoadSet make_resting(const Value& name, const Scene& scene, double stress, References& references) {
   const bool border = scene.net.body.has_outline() || scene.net.body.box;
   const std::vector<LoadSpec> specs = border ? specs_of(scene, stress) : std::vector<LoadSpec>();
   const auto spec = std::ranges::find(specs, name.text(), &LoadSpec::name);
   if (spec != specs.end())
     return at(
-        name.source, [&] { return discretize({*spec}, scene.net, scene.material); },
+        name.source, [&] { return references.of(std::vector<LoadSpec>{*spec}); },
         fmt::format("'{}' can't be held out", spec->name));
   const std::vector<std::string> own = names_of(scene.loads);
   std::vector<std::string> resting = names_of(specs), all = own;
@@ -96,7 +91,7 @@ LoadSet make_resting(const Value& name, const Scene& scene, double stress) {
 }
 
 // Loads at rest that the study names to be fitted beside those of its set.
-void fit_also(const Options& problem, bool keeps_shape, Scene& scene, Account& account) {
+void fit_also(const Options& problem, bool keeps_shape, References& references, Scene& scene, Account& account) {
   const Options loads = problem.table("loads");
   if (!loads.has("also")) return;
   const Value& option = loads.at("also");
@@ -110,14 +105,14 @@ void fit_also(const Options& problem, bool keeps_shape, Scene& scene, Account& a
   if (!scene.has_reference)
     throw InputError(option.source, "nothing is fitted in this study, for want of a reference; leave 'also' out");
   LoadSetBuilder fitted(scene.net.freedoms()), added(scene.net.freedoms());
-  for (std::size_t l = 0; l < scene.loads.loads.size(); ++l) add(scene.loads, l, fitted);
+  for (std::size_t l = 0; l < scene.loads.loads.size(); ++l) fitted.add(scene.loads, l);
   std::vector<std::string> names;
   for (const Value& name : option.list()) {
     if (std::ranges::count(scene.loads.loads, name.text(), &LoadCase::name) > 0)
       throw InputError(name.source, fmt::format("'{}' is fitted already; leave it out of 'also'", name.text()));
-    const LoadSet resting = make_resting(name, scene, stress_of(loads));
-    add(resting, 0, fitted);
-    add(resting, 0, added);
+    const LoadSet resting = make_resting(name, scene, stress_of(loads), references);
+    fitted.add(resting, 0);
+    added.add(resting, 0);
     names.push_back(name.text());
   }
   if (const LoadSet set = std::move(added).finish(); !keeps_shape || !hold_the_net(scene.net, set))
@@ -151,7 +146,7 @@ std::string flaw_of_default(const Scene& scene, bool keeps_shape) {
   return {};
 }
 
-void hold_out_bendings(double stress, bool keeps_shape, Scene& scene, Account& account) {
+void hold_out_bendings(double stress, bool keeps_shape, References& references, Scene& scene, Account& account) {
   std::vector<LoadSpec> specs = bending_specs(scene.net.dimension, extent_of(scene.net.body), stress);
   std::erase_if(specs, [&](const LoadSpec& spec) {  // those that are fitted as well
     return std::ranges::count(scene.loads.loads, spec.name, &LoadCase::name) > 0;
@@ -159,7 +154,7 @@ void hold_out_bendings(double stress, bool keeps_shape, Scene& scene, Account& a
   if (specs.empty()) return account.left_out(kStage, "all bendings are fitted");
   std::string flaw;
   try {
-    scene.held_out = discretize(specs, scene.net, scene.material);
+    scene.held_out = references.of(specs);
     flaw = flaw_of_default(scene, keeps_shape);
   } catch (const Refusal& refusal) {
     flaw = refusal.what();
@@ -196,8 +191,8 @@ void tell_of_combinations(const Scene& scene, Account& account) {
   }
 }
 
-void hold_out_named(const std::vector<Value>& names, const Options& loads, Scene& scene, const Source& source,
-                    Account& account) {
+void hold_out_named(const std::vector<Value>& names, const Options& loads, References& references, Scene& scene,
+                    const Source& source, Account& account) {
   const std::vector<std::string> also = loads.has("also") ? texts_of(loads.at("also")) : std::vector<std::string>();
   LoadSetBuilder held(scene.net.freedoms()), fitted(scene.net.freedoms());
   std::vector<bool> taken(scene.loads.loads.size(), false);
@@ -205,7 +200,7 @@ void hold_out_named(const std::vector<Value>& names, const Options& loads, Scene
   for (const Value& name : names) {
     const auto own = std::ranges::find(scene.loads.loads, name.text(), &LoadCase::name);
     if (own == scene.loads.loads.end()) {
-      add(make_resting(name, scene, stress_of(loads)), 0, held);
+      held.add(make_resting(name, scene, stress_of(loads), references), 0);
       made.push_back(name.text());
       continue;
     }
@@ -214,7 +209,7 @@ void hold_out_named(const std::vector<Value>& names, const Options& loads, Scene
                                                 "out",
                                                 name.text()));
     const auto l = static_cast<std::size_t>(own - scene.loads.loads.begin());
-    add(scene.loads, l, held);
+    held.add(scene.loads, l);
     taken[l] = true;
   }
   const auto kept = static_cast<std::size_t>(std::ranges::count(taken, false));
@@ -226,7 +221,7 @@ void hold_out_named(const std::vector<Value>& names, const Options& loads, Scene
                                                               fmt::join(made, ", "))));
   if (kept == taken.size()) return;
   for (std::size_t l = 0; l < taken.size(); ++l)
-    if (!taken[l]) add(scene.loads, l, fitted);
+    if (!taken[l]) fitted.add(scene.loads, l);
   scene.loads = std::move(fitted).finish();
   tell_of_loads(scene.loads, account);
 }
@@ -260,12 +255,12 @@ OptionSchema unseen_options() {
                "in space bend-xy, …, twist-x, -y, -z, stretch-x, …, shear-xy, …; none: \"none\""}};
 }
 
-void read_held_out(const Options& problem, bool keeps_shape, Scene& scene, Account& account) {
+void read_held_out(const Options& problem, bool keeps_shape, References& references, Scene& scene, Account& account) {
   const Options loads = problem.table("loads");
-  fit_also(problem, keeps_shape, scene, account);
+  fit_also(problem, keeps_shape, references, scene, account);
   if (!loads.has("held_out")) {
     if (!scene.has_reference || problem.table("reference").has("file")) return tell_why_none(scene, account);
-    return hold_out_bendings(stress_of(loads), keeps_shape, scene, account);
+    return hold_out_bendings(stress_of(loads), keeps_shape, references, scene, account);
   }
   const Value& option = loads.at("held_out");
   const std::vector<Value> names = named_in(option);
@@ -274,7 +269,7 @@ void read_held_out(const Options& problem, bool keeps_shape, Scene& scene, Accou
     throw InputError(option.source,
                      "nothing can be held out of a study in which nothing is fitted, for want of a reference; give "
                      "reference = { file = \"displacements.csv\" }, or leave 'held_out' out");
-  hold_out_named(names, loads, scene, option.source, account);
+  hold_out_named(names, loads, references, scene, option.source, account);
   require_fit(problem, keeps_shape, option, scene, account);
   tell_of_combinations(scene, account);
 }

@@ -6,6 +6,8 @@
 
 #include <nodal/elastic/scene.h>
 
+#include "reference/references.h"
+
 namespace nodal::elastic {
 
 /// The options `also` and `held_out` of `loads`.
@@ -15,6 +17,6 @@ namespace nodal::elastic {
 /// others that are. What a study doesn't name is left out where it can't be had; what it names is refused by an
 /// InputError there. Loads, references and weights of the scene must be there. `keeps_shape`: the net is rigid with
 /// nothing held.
-void read_held_out(const Options& problem, bool keeps_shape, Scene& scene, Account& account);
+void read_held_out(const Options& problem, bool keeps_shape, References& references, Scene& scene, Account& account);
 
 }  // namespace nodal::elastic

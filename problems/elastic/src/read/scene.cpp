@@ -20,6 +20,7 @@
 #include "read/read_start.h"
 #include "read/require_rigid.h"
 #include "read/study_loads.h"
+#include "read/study_reference.h"
 #include "starts/paper_start.h"
 
 namespace nodal::elastic {
@@ -145,14 +146,14 @@ void tell_of_poisson(const Scene& scene, bool tied, Account& account) {
 }
 
 // What is compared: the weights, what is held out, and that there is something to fit.
-void read_quality(const Options& options, bool keeps_shape, Scene& scene, Account& account) {
+void read_quality(const Options& options, bool keeps_shape, References& references, Scene& scene, Account& account) {
   const Options quality = options.table("quality"), reference = options.table("reference");
   const Options weights = quality.table("weights");
   const Source& source = quality.at("weights").source;
   scene.weights = {weights.number("inner"), weights.number("border"), weights.number("corner")};
   if (scene.weights.inner + scene.weights.border + scene.weights.corner <= 0.0)
     throw InputError(source, "all weights are 0: nothing would be fitted");
-  read_held_out(options, keeps_shape, scene, account);
+  read_held_out(options, keeps_shape, references, scene, account);
   if (!scene.has_reference) return;
   const bool measured = reference.has("file");
   require_something_to_fit(scene, source, measured ? reference.at("file").source : reference.values().source, measured);
@@ -183,12 +184,14 @@ MadeScene make_scene(const Options& options, const ProblemContext& context) {
   scene.net = std::move(study.net);
   tell_of_outline(points, scene.net, account);
   read_masses(options.table("masses"), scene.net, account);
-  read_loads(options, context, scene, account);
+  References references(read_reference_choice(options.table("reference"), scene.net.dimension), scene.net,
+                        scene.material, account);
+  read_loads(options, context, references, scene, account);
   require_memory(scene.net.nodes.size(), scene.loads.groups.size(), available_memory(), points.values().source,
                  scene.net.dimension);
   const bool keeps_shape =
       require_rigid(scene.net, scene.loads, options.table("loads").has("cases"), springs.values().source, account);
-  read_quality(options, keeps_shape, scene, account);
+  read_quality(options, keeps_shape, references, scene, account);
   scene.solver = options.table("equilibrium").text("method");
 
   scene.parameter_rule = read_parameters(springs.at("parameters"), scene.net, study.groups);

@@ -36,7 +36,9 @@ void require_supports_of_dimension(const Options& loads, std::size_t dimension) 
                                  dimension == 3 ? "in space" : "in the plane", held));
 }
 
-LoadSet read_basic_loads(const Options& loads, const Scene& scene, Account& account) {
+// The basic loads, as by `make` of their specs.
+template <class Make>
+auto read_basic_loads(const Options& loads, const Scene& scene, Account& account, Make make) {
   require_supports_of_dimension(loads, scene.net.dimension);
   const double stress = loads.has("stress") ? loads.number("stress") : 1.0;
   if (stress == 0.0)
@@ -45,8 +47,8 @@ LoadSet read_basic_loads(const Options& loads, const Scene& scene, Account& acco
   const bool chosen = !loads.has("supports");
   const bool minimal = chosen ? !has_edges_to_hold(scene.net) : loads.text("supports") == "minimal";
   try {
-    LoadSet set =
-        make_basic_loads(scene.net, scene.material, stress, minimal ? SupportStyle::minimal : SupportStyle::edge);
+    auto made =
+        make(basic_load_specs(scene.net.dimension, stress, minimal ? SupportStyle::minimal : SupportStyle::edge));
     if (chosen)
       account.data.set(
           "supports",
@@ -54,7 +56,7 @@ LoadSet read_basic_loads(const Options& loads, const Scene& scene, Account& acco
               ? "supports = \"minimal\": the body has no straight edges on its left and lower side, as \"edge\" holds"
           : scene.net.dimension == 3 ? "supports = \"face\""
                                      : "supports = \"edge\"");
-    return set;
+    return made;
   } catch (const Refusal& refusal) {
     const auto& outlines = scene.net.outlines;
     const bool bare = std::ranges::any_of(outlines, [](const auto& nodes) { return nodes.size() < 2; });
@@ -70,16 +72,6 @@ LoadSet read_basic_loads(const Options& loads, const Scene& scene, Account& acco
   }
 }
 
-// Each case in a group of its own: the reference decides which go together.
-LoadSet from_cases(const std::vector<OwnCase>& cases) {
-  LoadSet set;
-  for (const OwnCase& one : cases) {
-    set.loads.push_back({one.name, set.groups.size(), one.forces, std::vector<double>(one.forces.size(), 0.0)});
-    set.groups.push_back({one.supports});
-  }
-  return set;
-}
-
 // A line per load: what its selections took.
 void tell_of_selections(const std::vector<OwnCase>& cases, Account& account) {
   constexpr std::size_t kListed = 12;
@@ -87,13 +79,93 @@ void tell_of_selections(const std::vector<OwnCase>& cases, Account& account) {
   for (const OwnCase& one : cases) {
     const std::size_t listed = std::min(one.selections.size(), kListed);
     std::string line = fmt::format(
-        "load '{}': {}", one.name,
+        "load '{}': {}", one.load.name,
         fmt::join(one.selections.begin(), one.selections.begin() + static_cast<std::ptrdiff_t>(listed), "; "));
     if (one.selections.size() > listed) line += fmt::format("; and {} more selections", one.selections.size() - listed);
     account.remark(line);
     lines.emplace_back(std::move(line));
   }
   account.data.set("selections", Value(std::move(lines)));
+}
+
+// The toolkit's own.
+void read_set(const Options& problem, const ProblemContext& context, References& references, Scene& scene,
+              Account& account) {
+  const Options loads = problem.table("loads");
+  if (loads.has("cases"))
+    throw InputError(loads.at("cases").source,
+                     fmt::format("set = \"{}\" has no cases of its own; leave 'set' out", loads.text("set")));
+  if (references.choice().method == ReferenceChoice::Method::none)
+    throw InputError(references.choice().source, "method = \"none\" is for loads of your own; leave 'method' out");
+  const Options reference = problem.table("reference");
+  if (!reference.has("file")) {
+    scene.loads = read_basic_loads(loads, scene, account, [&](const auto& specs) { return references.of(specs); });
+    return;
+  }
+  std::vector<PlacedLoad> placed = read_basic_loads(loads, scene, account, [&](const auto& specs) {
+    std::vector<PlacedLoad> each;
+    for (const LoadSpec& spec : specs) each.push_back(place(spec, scene.net));
+    return each;
+  });
+  const std::vector<Source> sources(placed.size(), loads.values().source);
+  scene.loads = measured_loads(reference, context, std::move(placed), sources, scene.net, account);
+}
+
+std::vector<OwnCase> read_described(const Options& loads, const Scene& scene, Account& account) {
+  if (scene.net.dimension == 3)
+    throw InputError(loads.values().source,
+                     "loads of your own are read in the plane only; a body in space takes loads "
+                     "= { set = \"basic\" }");
+  if (!loads.has("cases") || loads.tables("cases").empty())
+    throw InputError(loads.values().source, "set = \"own\" needs load cases, each under [[problem.loads.cases]]");
+  refuse_key(loads, "stress", "give each case tractions = [{ edge = \"right\", traction = [tx, ty] }]");
+  refuse_key(loads, "supports", "give each case supports = [{ edge = \"left\" }]");
+  std::vector<OwnCase> cases = read_own_cases(loads.tables("cases"), scene.net);
+  tell_of_selections(cases, account);
+  return cases;
+}
+
+// Nothing to compare with: why, and that the scene is solved only.
+void leave_without_reference(std::vector<PlacedLoad> placed, const std::vector<Source>& sources, const std::string& why,
+                             const Source& reference, Scene& scene, Account& account) {
+  scene.has_reference = false;
+  scene.fit_refusal =
+      InputError(reference, fmt::format("cases of your own need reference = {{ file = \"displacements.csv\" }}, the "
+                                        "displacements to be matched: {}",
+                                        why))
+          .what();
+  account.left_out(kFiniteElementStage, why);
+  scene.loads = only_solved(std::move(placed), sources, scene.net);
+}
+
+void read_own_loads(const Options& problem, const ProblemContext& context, References& references, Scene& scene,
+                    Account& account) {
+  using Method = ReferenceChoice::Method;
+  const std::vector<OwnCase> cases = read_described(problem.table("loads"), scene, account);
+  std::vector<PlacedLoad> placed;
+  std::vector<Source> sources;
+  for (const OwnCase& one : cases) placed.push_back(one.load), sources.push_back(one.source);
+  const Options reference = problem.table("reference");
+  const ReferenceChoice& choice = references.choice();
+  if (choice.method == Method::file) {
+    scene.loads = measured_loads(reference, context, std::move(placed), sources, scene.net, account);
+    return tell_of_idle_loads(cases, scene, account);
+  }
+  account.left_out(kAnalyticStage, "a closed form is known for the basic loads only");
+  if (choice.method == Method::analytic)
+    throw InputError(choice.source,
+                     "method = \"analytic\" has no answer to loads of your own: a closed form is known "
+                     "for the basic loads only; take \"finite-elements\", or leave 'method' out");
+  std::string why =
+      choice.method == Method::none ? "method = \"none\" compares with nothing" : references.no_answer_for(placed);
+  if (why.empty()) try {
+      scene.loads = references.of(placed);
+    } catch (const Refusal& refusal) {
+      why = refusal.what();
+    }
+  if (!why.empty() && choice.method == Method::finite_elements) throw InputError(choice.source, why);
+  if (!why.empty()) leave_without_reference(std::move(placed), sources, why, reference.values().source, scene, account);
+  tell_of_idle_loads(cases, scene, account);
 }
 
 }  // namespace
@@ -119,7 +191,8 @@ OptionSchema loads_fields() {
                "minimal: three balanced loads, in space six, rigid motions held (Figure 5)"},
       {.name = "cases",
        .type = OptionType::table_list,
-       .help = "load cases of your own, in the plane; to be fitted they need reference.file",
+       .help = "load cases of your own, in the plane; finite elements say how the body answers them, or "
+               "reference.file does",
        .fields = case_fields()},
   };
   const OptionSchema unseen = unseen_options();
@@ -134,33 +207,14 @@ void tell_of_loads(const LoadSet& loads, Account& account) {
                                     loads.groups.size() == 1 ? "" : "s", supports ? ", " + supports->text() : ""));
 }
 
-void read_loads(const Options& problem, const ProblemContext& context, Scene& scene, Account& account) {
+void read_loads(const Options& problem, const ProblemContext& context, References& references, Scene& scene,
+                Account& account) {
   const Options loads = problem.table("loads");
   const bool own = loads.has("set") ? loads.text("set") == "own" : loads.has("cases");
-  std::vector<OwnCase> cases;
-  if (own) {
-    if (scene.net.dimension == 3)
-      throw InputError(loads.values().source,
-                       "loads of your own are read in the plane only; a body in space takes loads "
-                       "= { set = \"basic\" }");
-    if (!loads.has("cases") || loads.tables("cases").empty())
-      throw InputError(loads.values().source, "set = \"own\" needs load cases, each under [[problem.loads.cases]]");
-    refuse_key(loads, "stress", "give each case tractions = [{ edge = \"right\", traction = [tx, ty] }]");
-    refuse_key(loads, "supports", "give each case supports = [{ edge = \"left\" }]");
-    cases = read_own_cases(loads.tables("cases"), scene.net);
-    scene.loads = from_cases(cases);
-    tell_of_selections(cases, account);
-  } else {
-    if (loads.has("cases"))
-      throw InputError(loads.at("cases").source,
-                       fmt::format("set = \"{}\" has no cases of its own; leave 'set' out", loads.text("set")));
-    scene.loads = read_basic_loads(loads, scene, account);
-  }
-  const std::string summary =
-      read_reference(problem.table("reference"), context, own ? &cases : nullptr, scene, account);
-  tell_of_idle_loads(cases, scene, account);
+  own ? read_own_loads(problem, context, references, scene, account)
+      : read_set(problem, context, references, scene, account);
   tell_of_loads(scene.loads, account);
-  tell_of_reference(summary, own, account);
+  account.left_out(kMeasuredStage, "no file is given");
 }
 
 }  // namespace nodal::elastic

@@ -5,6 +5,8 @@
 
 #include <nodal/elastic/scene.h>
 
+#include "reference/references.h"
+
 namespace nodal::elastic {
 
 /// The fields of `loads`.
@@ -14,6 +16,7 @@ namespace nodal::elastic {
 void tell_of_loads(const LoadSet& loads, Account& account);
 
 /// Fills loads and reference of a scene whose net and material are there. InputError for what doesn't fit.
-void read_loads(const Options& problem, const ProblemContext& context, Scene& scene, Account& account);
+void read_loads(const Options& problem, const ProblemContext& context, References& references, Scene& scene,
+                Account& account);
 
 }  // namespace nodal::elastic

@@ -2,6 +2,10 @@
 #include "read/study_reference.h"
 
 #include <algorithm>
+#include <array>
+#include <initializer_list>
+#include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -15,51 +19,29 @@ namespace nodal::elastic {
 
 namespace {
 
+using Method = ReferenceChoice::Method;
+
 // Holds freedoms where the reference says that they went.
-void hold_as_measured(const OwnCase& one, const MeasuredLoad& measured, const Net& net, SupportGroup& group) {
-  for (Support& support : group.supports) {
-    const std::size_t freedom = net.freedoms().at(support.node, support.axis);
-    if (!std::ranges::binary_search(one.held_as_measured, freedom)) continue;
+void hold_as_measured(PlacedLoad& load, const Source& source, const MeasuredLoad& measured, const Net& net) {
+  for (const std::size_t freedom : load.held_as_reference)
     if (!(measured.weights[freedom] > 0.0))
-      throw InputError(one.source,
-                       fmt::format("node {} is to be held as measured, but the reference has no {} of it in "
-                                   "load '{}'",
-                                   net.id(support.node), std::string("u") + kAxisNames[support.axis], one.name));
-    support.value = measured.displacement[freedom];
-  }
+      throw InputError(source,
+                       fmt::format("node {} is to be held as measured, but the reference has no {} of it in load '{}'",
+                                   net.id(net.freedoms().node_of(freedom)),
+                                   std::string("u") + kAxisNames[net.freedoms().axis_of(freedom)], load.name));
+  hold_as_reference(load, measured.displacement, net.freedoms());
 }
 
-// Takes the reference from measurements. Loads then go together that share supports and what is known of them.
-void apply_measurements(const std::vector<MeasuredLoad>& measured, const Freedoms& freedoms, LoadSet& set) {
-  LoadSetBuilder grouped(freedoms);
-  for (std::size_t l = 0; l < set.loads.size(); ++l) {
-    LoadCase& load = set.loads[l];
-    SupportGroup group = set.groups[load.group];
+// Loads go together that share supports and what is known of them.
+LoadSet grouped(std::vector<PlacedLoad> loads, const std::vector<MeasuredLoad>& measured, const Freedoms& freedoms) {
+  LoadSetBuilder set(freedoms);
+  for (std::size_t l = 0; l < loads.size(); ++l) {
+    PlacedLoad& load = loads[l];
     const bool complete = std::ranges::all_of(measured[l].weights, [](double w) { return w == 1.0; });
-    if (!complete) group.weights = measured[l].weights;
-    grouped.add(std::move(load.name), std::move(load.forces), measured[l].displacement, std::move(group));
+    if (!complete) load.group.weights = measured[l].weights;
+    set.add(std::move(load.name), std::move(load.forces), measured[l].displacement, std::move(load.group));
   }
-  set = std::move(grouped).finish();
-}
-
-constexpr const char* kClosedForms = "a closed form is known for the basic loads only";
-
-// Without a reference a study can be solved, but nothing fitted. Loads go together as if all were known.
-void only_solved(const std::vector<OwnCase>& cases, const Source& source, Scene& scene) {
-  for (const OwnCase& one : cases)
-    if (!one.held_as_measured.empty())
-      throw InputError(one.source,
-                       fmt::format("load '{}' holds nodes as measured, and nothing says how they went; give "
-                                   "reference = {{ file = \"displacements.csv\" }}, or a 'displacement'",
-                                   one.name));
-  scene.has_reference = false;
-  scene.fit_refusal =
-      InputError(source, fmt::format("cases of your own need reference = {{ file = \"displacements.csv\" }}, the "
-                                     "displacements to be matched: {}",
-                                     kClosedForms))
-          .what();
-  const std::vector<double> zero(scene.net.freedoms().size(), 0.0), all(zero.size(), 1.0);
-  apply_measurements(std::vector<MeasuredLoad>(cases.size(), {zero, all}), scene.net.freedoms(), scene.loads);
+  return std::move(set).finish();
 }
 
 std::string summary(const std::string& file, const std::vector<MeasuredLoad>& measured) {
@@ -72,7 +54,21 @@ std::string summary(const std::string& file, const std::vector<MeasuredLoad>& me
                      measured.size() == 1 ? "" : "s");
 }
 
-constexpr const char* kAnalyticStage = "analytic reference";
+constexpr std::array<std::pair<const char*, Method>, 5> kMethods = {{{"auto", Method::automatic},
+                                                                     {"analytic", Method::analytic},
+                                                                     {"finite-elements", Method::finite_elements},
+                                                                     {"file", Method::file},
+                                                                     {"none", Method::none}}};
+
+Method method_named(const std::string& name) {
+  return std::ranges::find(kMethods, name, [](const auto& entry) { return std::string_view(entry.first); })->second;
+}
+
+void refuse_keys_of(const Options& reference, std::initializer_list<const char*> keys, const char* owner) {
+  for (const char* key : keys)
+    if (reference.given(key))
+      throw InputError(reference.at(key).source, fmt::format("'{}' in 'reference' belongs to {}", key, owner));
+}
 
 }  // namespace
 
@@ -81,9 +77,17 @@ OptionSchema reference_fields() {
       {.name = "method",
        .type = OptionType::text,
        .default_value = "auto",
-       .choices = {"auto", "analytic", "file"},
-       .help = "auto takes the file where one is given, else the closed form, which is exact for the basic loads on "
-               "any homogeneous body"},
+       .choices = {"auto", "analytic", "finite-elements", "file", "none"},
+       .help = "auto takes the file where one is given, else the closed form where it is exact, as of the basic loads "
+               "on a homogeneous body, else finite elements; none: loads of your own are solved, and compared with "
+               "nothing"},
+      {.name = "tolerance",
+       .type = OptionType::number,
+       .default_value = 1e-4,
+       .unit = "largest displacement of the load",
+       .minimum = 1e-8,
+       .maximum = 1e-1,
+       .help = "of finite elements: meshes grow finer until the nodes' displacements change by less"},
       {.name = "file",
        .type = OptionType::text,
        .help = "measured displacements, in the plane: CSV with columns load, node (or x, y), ux, uy, weight"},
@@ -92,45 +96,51 @@ OptionSchema reference_fields() {
   };
 }
 
-std::string read_reference(const Options& reference, const ProblemContext& context, const std::vector<OwnCase>* cases,
-                           Scene& scene, Account& account) {
-  if (scene.net.dimension == 3 && reference.has("file"))
+ReferenceChoice read_reference_choice(const Options& reference, std::size_t dimension) {
+  if (dimension == 3 && reference.has("file"))
     throw InputError(reference.at("file").source, "measured displacements are read in the plane only");
-  const std::string& method = reference.text("method");
-  if (method == "analytic" && reference.has("file"))
-    throw InputError(reference.at("file").source, "method = \"analytic\" takes no file; leave 'method' out");
-  if (!reference.has("file")) {
-    for (const char* key : {"columns", "scale"})
-      if (reference.has(key))
-        throw InputError(reference.at(key).source, fmt::format("'{}' in 'reference' belongs to a 'file'", key));
-    if (method == "file")
+  ReferenceChoice choice{method_named(reference.text("method")), reference.number("tolerance"),
+                         reference.given("method") ? reference.at("method").source : reference.values().source};
+  if (reference.has("file")) {
+    if (choice.method != Method::automatic && choice.method != Method::file)
+      throw InputError(reference.at("file").source,
+                       fmt::format("method = \"{}\" takes no file; leave 'method' out", reference.text("method")));
+    choice.method = Method::file;
+  } else {
+    refuse_keys_of(reference, {"columns", "scale"}, "a 'file'");
+    if (choice.method == Method::file)
       throw InputError(reference.values().source,
                        "method = \"file\" needs a file: reference = { file = \"displacements.csv\" }");
-    if (cases) only_solved(*cases, reference.values().source, scene);
-    return {};
   }
-  std::vector<std::string> names;
-  for (const LoadCase& load : scene.loads.loads) names.push_back(load.name);
-  const std::vector<MeasuredLoad> measured =
-      read_displacement_file(context.files, named_file(context.files, reference.at("file")), scene.net, names, account,
-                             read_table_options(reference));
-  for (std::size_t l = 0; cases && l < cases->size(); ++l)
-    hold_as_measured((*cases)[l], measured[l], scene.net, scene.loads.groups[l]);
-  apply_measurements(measured, scene.net.freedoms(), scene.loads);
-  return summary(reference.text("file"), measured);
+  if (choice.method != Method::automatic && choice.method != Method::finite_elements)
+    refuse_keys_of(reference, {"tolerance"}, "finite elements");
+  return choice;
 }
 
-void tell_of_reference(const std::string& summary, bool own, Account& account) {
-  if (!summary.empty()) {
-    account.left_out(kAnalyticStage, "the reference was measured");
-    account.used(kMeasuredStage, summary);
-    return;
-  }
-  if (own)
-    account.left_out(kAnalyticStage, kClosedForms);
-  else
-    account.used(kAnalyticStage, "a homogeneous body under homogeneous stress: the closed form is exact");
-  account.left_out(kMeasuredStage, "no file is given");
+LoadSet measured_loads(const Options& reference, const ProblemContext& context, std::vector<PlacedLoad> loads,
+                       const std::vector<Source>& sources, const Net& net, Account& account) {
+  std::vector<std::string> names;
+  for (const PlacedLoad& load : loads) names.push_back(load.name);
+  const std::vector<MeasuredLoad> measured =
+      read_displacement_file(context.files, named_file(context.files, reference.at("file")), net, names, account,
+                             read_table_options(reference));
+  for (std::size_t l = 0; l < loads.size(); ++l) hold_as_measured(loads[l], sources[l], measured[l], net);
+  account.left_out(kAnalyticStage, "the reference was measured");
+  account.left_out(kFiniteElementStage, "the reference was measured");
+  account.used(kMeasuredStage, summary(reference.text("file"), measured));
+  return grouped(std::move(loads), measured, net.freedoms());
+}
+
+LoadSet only_solved(std::vector<PlacedLoad> loads, const std::vector<Source>& sources, const Net& net) {
+  for (std::size_t l = 0; l < loads.size(); ++l)
+    if (!loads[l].held_as_reference.empty())
+      throw InputError(sources[l],
+                       fmt::format("load '{}' holds nodes as measured, and nothing says how they went; give "
+                                   "reference = {{ file = \"displacements.csv\" }}, or a 'displacement'",
+                                   loads[l].name));
+  const std::vector<double> zero(net.freedoms().size(), 0.0), all(zero.size(), 1.0);
+  const std::size_t count = loads.size();
+  return grouped(std::move(loads), std::vector<MeasuredLoad>(count, {zero, all}), net.freedoms());
 }
 
 }  // namespace nodal::elastic

@@ -8,20 +8,25 @@
 
 #include <nodal/elastic/scene.h>
 
-#include "loads/own_loads.h"
+#include "loads/placed_load.h"
+#include "reference/references.h"
 
 namespace nodal::elastic {
 
 /// The fields of `reference`.
 [[nodiscard]] OptionSchema reference_fields();
 
-/// Brings the scene's loads together with what was measured of them, or leaves them their closed form. `cases`: the
-/// study's own, which the loads are, in their order; nullptr for basic loads. Returns what was read of the file, for
-/// people; empty where none is given. InputError for what doesn't fit.
-[[nodiscard]] std::string read_reference(const Options& reference, const ProblemContext& context,
-                                         const std::vector<OwnCase>* cases, Scene& scene, Account& account);
+/// InputError for keys that contradict each other.
+[[nodiscard]] ReferenceChoice read_reference_choice(const Options& reference, std::size_t dimension);
 
-/// `summary`: what read_reference returned.
-void tell_of_reference(const std::string& summary, bool own, Account& account);
+/// Loads with what a file says was measured of them. `sources`: where each load is described. InputError for what
+/// doesn't fit.
+[[nodiscard]] LoadSet measured_loads(const Options& reference, const ProblemContext& context,
+                                     std::vector<PlacedLoad> loads, const std::vector<Source>& sources, const Net& net,
+                                     Account& account);
+
+/// Loads that nobody knows a reference of: they can be solved, but nothing fitted. Together are those that would be if
+/// all were known. InputError for one that is held as measured.
+[[nodiscard]] LoadSet only_solved(std::vector<PlacedLoad> loads, const std::vector<Source>& sources, const Net& net);
 
 }  // namespace nodal::elastic

@@ -34,7 +34,8 @@ class Account {
   /// Of the stage, if it was used; empty otherwise.
   [[nodiscard]] std::string detail_of(std::string_view stage) const;
 
-  Value data = {};  ///< a table, for the report: "voronoi", "masses", "supports", "selections" where there are such
+  Value data = {};  ///< a table, for the report: "voronoi", "masses", "supports", "selections",
+                    ///< "finite_elements" where there are such
   std::vector<std::vector<plane::Ring>> regions =
       {};  ///< [nodes] of each Voronoi region in the body, to be drawn; or empty
 
@@ -50,6 +51,8 @@ inline constexpr std::string_view kVoronoiStage = "iterated Voronoi regions";
 inline constexpr std::string_view kTriangulationStage = "Delaunay triangulation";
 inline constexpr std::string_view kRigidityStage = "rigidity by sparse QR";
 inline constexpr std::string_view kStartStage = "initial stiffness";
+inline constexpr std::string_view kAnalyticStage = "analytic reference";
+inline constexpr std::string_view kFiniteElementStage = "finite elements";
 inline constexpr std::string_view kMeasuredStage = "measured reference";
 
 }  // namespace nodal::elastic

@@ -9,7 +9,7 @@
 /// and the forces of all outlines balance, torque included.
 /// Loads that share their supports and what is measured of them share a support group, and so a factorization.
 ///
-/// Shapes   forces, reference, weights: [dimension · nodes], the axes of each node after the other.
+/// Shapes   forces, reference, uncertainty, weights: [dimension · nodes], the axes of each node after the other.
 /// Units    forces N, displacements m.
 
 #include <cstddef>
@@ -35,6 +35,8 @@ struct LoadCase {
   std::size_t group = 0;  ///< index of its support group
   std::vector<double> forces;
   std::vector<double> reference;  ///< displacement of the body; 0 where it isn't known
+  /// How far off the reference may be, estimated, at each freedom; empty where it is exact, or nobody knows.
+  std::vector<double> uncertainty = {};
 };
 
 /// Supports in ascending freedom order, each freedom once.

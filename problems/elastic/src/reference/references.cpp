@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reference/references.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "loads/load_set_builder.h"
+
+namespace nodal::elastic {
+
+namespace {
+
+using Method = ReferenceChoice::Method;
+
+// What meshes are made of.
+const char* elements_of(const Net& net) { return net.dimension == 3 ? "tetrahedra" : "triangles"; }
+
+std::string describe(const FiniteElementAnswer::Summary& summary, const Net& net, double tolerance) {
+  const auto worst = std::ranges::max_element(summary.errors);
+  const std::string& name = summary.names[static_cast<std::size_t>(worst - summary.errors.begin())];
+  return fmt::format(
+      "{}: {} meshes, up to {} quadratic {} with {} unknowns; estimated error {:.1e} of the largest "
+      "displacement{}{}",
+      fmt::join(summary.names, ", "), summary.meshes, summary.cells, elements_of(net), summary.unknowns, *worst,
+      summary.errors.size() > 1 ? fmt::format(" ({})", name) : "",
+      summary.converged ? "" : fmt::format(", not the tolerance of {:g}", tolerance));
+}
+
+// Of each load, and of how it was found.
+Value report(const FiniteElementAnswer::Summary& summary) {
+  Value errors;
+  for (std::size_t l = 0; l < summary.names.size(); ++l) errors.set(summary.names[l], summary.errors[l]);
+  Value table;
+  table.set("errors", std::move(errors));
+  table.set("meshes", Value(static_cast<std::int64_t>(summary.meshes)));
+  table.set("cells", Value(static_cast<std::int64_t>(summary.cells)));
+  table.set("unknowns", Value(static_cast<std::int64_t>(summary.unknowns)));
+  table.set("converged", summary.converged);
+  return table;
+}
+
+}  // namespace
+
+LoadSet References::of(const std::vector<LoadSpec>& specs) {
+  std::vector<Answered> loads;
+  std::vector<std::size_t> open;  // without an answer yet
+  for (const LoadSpec& spec : specs) {
+    Answered& answered = loads.emplace_back(Answered{place(spec, net_)});
+    const std::string why = why_no_closed_form(spec, material_, net_.dimension);
+    if (choice_.method == Method::analytic && !why.empty())
+      throw Refusal(
+          fmt::format("load '{}' has no closed form: {}; take reference = {{ method = \"finite-elements\" }}, or leave "
+                      "'method' out",
+                      spec.name, why));
+    if (choice_.method == Method::finite_elements || !why.empty()) {
+      open.push_back(loads.size() - 1);
+      continue;
+    }
+    answered.reference = closed_form(spec, net_, material_.elasticity(net_.dimension));
+    hold_as_reference(answered.load, answered.reference, net_.freedoms());
+    analytic_ = true;
+  }
+  std::vector<Answered*> meshed;
+  for (const std::size_t l : open) meshed.push_back(&loads[l]);
+  answer_by_elements(meshed);
+  return finish(std::move(loads));
+}
+
+LoadSet References::of(std::vector<PlacedLoad> loads) {
+  std::vector<Answered> answered;
+  for (PlacedLoad& load : loads) answered.push_back({std::move(load)});
+  std::vector<Answered*> meshed;
+  for (Answered& load : answered) meshed.push_back(&load);
+  answer_by_elements(meshed);
+  return finish(std::move(answered));
+}
+
+std::string References::no_answer_for(const std::vector<PlacedLoad>& loads) const {
+  for (const PlacedLoad& load : loads)
+    if (std::string why = why_no_finite_elements(load, net_); !why.empty()) return why;
+  return {};
+}
+
+void References::answer_by_elements(const std::vector<Answered*>& loads) {
+  if (loads.empty()) return;
+  std::vector<const PlacedLoad*> asked;
+  for (const Answered* load : loads) asked.push_back(&load->load);
+  FiniteElementAnswer answer = answer_by_finite_elements(net_, material_, asked, choice_.tolerance);
+  for (std::size_t l = 0; l < loads.size(); ++l) {
+    loads[l]->reference = std::move(answer.loads[l].displacement);
+    loads[l]->uncertainty = std::move(answer.loads[l].uncertainty);
+  }
+  if (!answer.summary.converged)
+    account_.finding("the reference is not as exact as asked for: " +
+                     describe(answer.summary, net_, choice_.tolerance));
+  meshed_.push_back(std::move(answer.summary));
+}
+
+LoadSet References::finish(std::vector<Answered> loads) {
+  LoadSetBuilder set(net_.freedoms());
+  for (Answered& one : loads)
+    set.add(std::move(one.load.name), std::move(one.load.forces), std::move(one.reference), std::move(one.load.group),
+            std::move(one.uncertainty));
+  tell();
+  return std::move(set).finish();
+}
+
+void References::tell() {
+  if (analytic_) account_.used(kAnalyticStage, "a homogeneous body under homogeneous stress: the closed form is exact");
+  if (meshed_.empty()) return account_.left_out(kFiniteElementStage, "the closed form is exact");
+  std::vector<std::string> told;
+  Value::List reports;
+  for (const FiniteElementAnswer::Summary& summary : meshed_) {
+    told.push_back(describe(summary, net_, choice_.tolerance));
+    reports.push_back(report(summary));
+  }
+  account_.used(kFiniteElementStage, fmt::format("{}", fmt::join(told, "; ")));
+  account_.data.set("finite_elements", Value(std::move(reports)));
+}
+
+}  // namespace nodal::elastic

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+/// The displacements that loads are compared with, where nobody measured them: in closed form where that is exact, by
+/// finite elements elsewhere, or as the study chooses.
+///
+/// Threads  one at a time.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <nodal/elastic/account.h>
+#include <nodal/elastic/loads.h>
+#include <nodal/elastic/material.h>
+#include <nodal/error.h>
+
+#include "loads/placed_load.h"
+#include "reference/finite_element_answer.h"
+
+namespace nodal::elastic {
+
+struct ReferenceChoice {
+  /// `file` and `none` are of the study's own loads; others are answered as `automatic` then.
+  enum class Method { automatic, analytic, finite_elements, file, none } method = Method::automatic;
+  double tolerance = 1e-4;  ///< of finite elements
+  Source source = {};       ///< where it was chosen
+};
+
+class References {
+ public:
+  /// All must outlive it.
+  References(ReferenceChoice choice, const Net& net, const Material& material, Account& account)
+      : choice_(std::move(choice)), net_(net), material_(material), account_(account) {}
+
+  /// Loads of the toolkit's own. Refusal as `place`, and where none of the methods that may be taken has an answer.
+  [[nodiscard]] LoadSet of(const std::vector<LoadSpec>& specs);
+  /// Loads that a study describes, by finite elements. Refusal where these have no answer.
+  [[nodiscard]] LoadSet of(std::vector<PlacedLoad> loads);
+  /// Why they have none, as far as can be told before it is tried; empty when they may.
+  [[nodiscard]] std::string no_answer_for(const std::vector<PlacedLoad>& loads) const;
+
+  [[nodiscard]] const ReferenceChoice& choice() const noexcept { return choice_; }
+
+ private:
+  /// A load, and its reference once it is known.
+  struct Answered {
+    PlacedLoad load;
+    std::vector<double> reference = {}, uncertainty = {};
+  };
+
+  void answer_by_elements(const std::vector<Answered*>& loads);
+  LoadSet finish(std::vector<Answered> loads);
+  void tell();
+
+  ReferenceChoice choice_;
+  const Net& net_;
+  const Material& material_;
+  Account& account_;
+  bool analytic_ = false;                             // some load, of all calls
+  std::vector<FiniteElementAnswer::Summary> meshed_;  // of all calls
+};
+
+}  // namespace nodal::elastic
