@@ -51,7 +51,7 @@ std::vector<LoadSpec> basic_load_specs(std::size_t dimension, double stress, Sup
   return specs;
 }
 
-LoadSet make_basic_loads(const Net& net, const Material& material, double stress, SupportStyle style) {
+LoadSet make_basic_loads(const Net& net, const MaterialField& material, double stress, SupportStyle style) {
   return discretize(basic_load_specs(net.dimension, stress, style), net, material);
 }
 

@@ -73,14 +73,12 @@ Tensor turn_to_rest(const Net& net, const LinearStrain& strain, const std::vecto
 
 std::vector<double> displacements_on_a_side(const Net& net, const Elasticity& elasticity, const Tensor& stress,
                                             std::size_t axis, const Vector& origin) {
-  Vector pull{};  // times 1/E: the strain along each axis
-  for (std::size_t a = 0; a < net.dimension; ++a)
-    for (std::size_t b = 0; b < net.dimension; ++b) pull[a] += (a == b ? 1.0 : -elasticity.poisson) * stress[b][b];
   return field(net, origin, [&](const Vector& x) {
     Vector u{};
     for (std::size_t a = 0; a < net.dimension; ++a) {
-      u[a] = pull[a] * x[a] / elasticity.young;
-      if (a != axis && stress[a][axis] != 0.0) u[a] += stress[a][axis] * x[axis] / elasticity.shear;
+      u[a] = elasticity.stretched(stress, a, a, x[a]);
+      for (std::size_t b = 0; b < net.dimension; ++b)
+        if (a != axis && b != a) u[a] += (b == axis ? 1.0 : 0.5) * elasticity.stretched(stress, a, b, x[b]);
     }
     return u;
   });

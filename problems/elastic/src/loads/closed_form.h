@@ -21,8 +21,9 @@
 namespace nodal::elastic {
 
 /// Of a body whose side across `axis` stays upright: W makes all shear towards the side a shift along it,
-///     u_a = ε_aa (x_a − o_a) + 2 ε_a,axis (x_axis − o_axis),  the second for a ≠ axis.
-/// The stress is one that such a side bears (load_spec.h). Moduli divide last, which keeps round numbers round.
+///     u_a = ε_aa (x_a − o_a) + 2 ε_a,axis (x_axis − o_axis) + Σ_b ε_ab (x_b − o_b),
+/// all but the first for a ≠ axis, and b the third axis in space: the side doesn't turn in itself. The stress is one
+/// that such a side bears (load_spec.h). Moduli divide last, which keeps round numbers round.
 [[nodiscard]] std::vector<double> displacements_on_a_side(const Net& net, const Elasticity& elasticity,
                                                           const Tensor& stress, std::size_t axis, const Vector& origin);
 

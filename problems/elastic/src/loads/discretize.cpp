@@ -10,39 +10,21 @@
 
 namespace nodal::elastic {
 
-namespace {
-
-void require_closed_form(const LoadSpec& spec) {
-  for (std::size_t a = 0; a < 3; ++a)
-    for (std::size_t b = 0; b < 3; ++b) {
-      const bool towards = (a == spec.axis) != (b == spec.axis);
-      const bool borne = spec.hold == Hold::sliding ? a == b : spec.hold == Hold::clamped ? towards : true;
-      if (spec.stress[a][b] != 0.0 && !borne)
-        throw std::invalid_argument(fmt::format("load '{}' has no closed form under its supports", spec.name));
-    }
-  if (!is_homogeneous(spec.gradient) && spec.hold != Hold::resting)
-    throw std::invalid_argument(fmt::format("load '{}' has no closed form but at rest", spec.name));
-  if (!in_equilibrium(spec.gradient))
-    throw std::invalid_argument(fmt::format("the stress of load '{}' is not in equilibrium", spec.name));
-}
-
-}  // namespace
-
-std::vector<double> closed_form(const LoadSpec& spec, const Net& net, const Elasticity& elasticity) {
-  require_closed_form(spec);
+std::vector<double> closed_form(const LoadSpec& spec, const Net& net, const MaterialField& material) {
+  if (const std::string why = why_no_closed_form(spec, material, net.dimension); !why.empty())
+    throw std::invalid_argument(fmt::format("load '{}' has no closed form: {}", spec.name, why));
+  const Elasticity elasticity = material.homogeneous()->elasticity(net.dimension);
   const HeldNodes held = held_nodes(spec, net);
   if (spec.hold != Hold::resting) return displacements_on_a_side(net, elasticity, spec.stress, spec.axis, held.origin);
   if (is_homogeneous(spec.gradient)) return displacements_at_rest(net, elasticity, spec.stress, held.rest);
   return displacements_at_rest(net, elasticity, {spec.stress, spec.gradient, centre_of(net.body)}, held.rest);
 }
 
-std::string why_no_closed_form(const LoadSpec&, const Material&, std::size_t) { return {}; }
-
-LoadSet discretize(const std::vector<LoadSpec>& specs, const Net& net, const Material& material) {
+LoadSet discretize(const std::vector<LoadSpec>& specs, const Net& net, const MaterialField& material) {
   LoadSetBuilder set(net.freedoms());
   for (const LoadSpec& spec : specs) {
     PlacedLoad placed = place(spec, net);
-    std::vector<double> reference = closed_form(spec, net, material.elasticity(net.dimension));
+    std::vector<double> reference = closed_form(spec, net, material);
     hold_as_reference(placed, reference, net.freedoms());
     set.add(spec.name, std::move(placed.forces), std::move(reference), std::move(placed.group));
   }

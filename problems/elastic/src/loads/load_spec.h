@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <nodal/elastic/loads.h>
+#include <nodal/elastic/material_field.h>
 
 #include "loads/stress_field.h"
 
@@ -36,10 +37,20 @@ struct LoadSpec {
 /// Those of make_basic_loads (nodal/elastic/loads.h), in its order.
 [[nodiscard]] std::vector<LoadSpec> basic_load_specs(std::size_t dimension, double stress, SupportStyle style);
 
+/// Why the displacements of closed_form.h are not a body's own under a load, in words; empty where they are, exactly.
+/// They are for one material and thickness and a stress in equilibrium that
+///     sliding   has no shear towards the side, and is the same everywhere;
+///     clamped   has nothing but that shear, is the same everywhere, and is answered without strain within the side:
+///               of the strains ε_ab with neither a nor b the side's axis none is above 1e-13 of the largest. In the
+///               plane shear-x needs S_16 = 0 and shear-y S_26 = 0: an isotropic material, or one whose axes are the
+///               body's;
+///     resting   is any that is linear in the place.
+[[nodiscard]] std::string why_no_closed_form(const LoadSpec& spec, const MaterialField& material,
+                                             std::size_t dimension);
+
 /// Forces and supports on a net's nodes, and the displacements of the homogeneous body (closed_form.h) as reference.
-/// Refusal as make_basic_loads. std::invalid_argument for a stress that a side doesn't bear, one that isn't the same
-/// everywhere on a body with a held side, and one that forces in the body would have to keep in balance: there is no
-/// closed form.
-[[nodiscard]] LoadSet discretize(const std::vector<LoadSpec>& specs, const Net& net, const Material& material);
+/// Forces are stress times the body's own thickness, whatever regions have, so that they balance.
+/// Refusal as make_basic_loads. std::invalid_argument where there is no closed form.
+[[nodiscard]] LoadSet discretize(const std::vector<LoadSpec>& specs, const Net& net, const MaterialField& material);
 
 }  // namespace nodal::elastic

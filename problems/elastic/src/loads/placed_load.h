@@ -58,12 +58,9 @@ struct PlacedLoad {
 /// Of a net whose body has a border to pull at. Refusal as make_basic_loads.
 [[nodiscard]] PlacedLoad place(const LoadSpec& spec, const Net& net);
 
-/// The displacements of a body of one material under a load, with the net's nodes held as `place` does.
-/// std::invalid_argument as discretize.
-[[nodiscard]] std::vector<double> closed_form(const LoadSpec& spec, const Net& net, const Elasticity& elasticity);
-
-/// Why it has none; empty where it has. Of the same loads as closed_form.
-[[nodiscard]] std::string why_no_closed_form(const LoadSpec& spec, const Material& material, std::size_t dimension);
+/// The displacements of a homogeneous body under a load, with the net's nodes held as `place` does.
+/// std::invalid_argument where why_no_closed_form has some reason.
+[[nodiscard]] std::vector<double> closed_form(const LoadSpec& spec, const Net& net, const MaterialField& material);
 
 /// Moves what is held as the reference has it to where this one does.
 void hold_as_reference(PlacedLoad& load, const std::vector<double>& reference, const Freedoms& freedoms);

@@ -68,7 +68,7 @@ ChosenBounds choose(const Options& springs, const ProblemContext& context, const
     const bool space = scene.net.dimension == 3;
     const std::string unit = space ? "young × the mean rest length" : "young × thickness";
     const double length = space ? mean_length(scene.net.springs) : scene.net.body.thickness;
-    return {times(bounds, scene.material.young * length, source, unit),
+    return {times(bounds, scene.material.base.young * length, source, unit),
             fmt::format("[{}, {}] × {}", bounds[0], bounds[1], unit)};
   }
   if (study.bounds) return {{(*study.bounds)[0], (*study.bounds)[1]}, "as the file of springs says"};

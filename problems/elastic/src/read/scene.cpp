@@ -30,15 +30,12 @@ namespace {
 Material read_material(const Options& options, std::size_t dimension) {
   const Options material = options.table("material");
   const Plane plane = material.text("plane") == "stress" ? Plane::stress : Plane::strain;
-  const double poisson = material.number("poisson");
+  const Material made = {material.number("young"), material.number("poisson"), plane};
   if (dimension == 3 && material.given("plane"))
     throw InputError(material.at("plane").source, "'plane' belongs to bodies in the plane, not to a box");
-  if ((dimension == 3 || plane == Plane::strain) && poisson > 0.4999)
-    throw InputError(material.at("poisson").source,
-                     fmt::format("'poisson' is {}: in {} a body this incompressible can't be computed with; "
-                                 "it must be ≤ 0.4999",
-                                 poisson, dimension == 3 ? "space" : "plane strain"));
-  return {material.number("young"), poisson, plane};
+  if (const std::string flaw = made.flaw(dimension); !flaw.empty())
+    throw InputError(material.at("poisson").source, flaw);
+  return made;
 }
 
 // Why kernels for these instructions can't be had here; empty when they can.
@@ -135,7 +132,7 @@ void tell_of_body(const Body& body, Account& account) {
 // Springs alone make a net of one Poisson's ratio; what was measured has no material that the study would know of.
 void tell_of_poisson(const Scene& scene, bool tied, Account& account) {
   const bool space = scene.net.dimension == 3;
-  const double poisson = scene.material.elasticity(scene.net.dimension).poisson;
+  const double poisson = scene.material.base.elasticity(scene.net.dimension).isotropic()->poisson;
   if (std::abs(poisson - (space ? 0.25 : 1.0 / 3.0)) <= 0.02) return;
   account.remark(
       fmt::format("springs alone make a Cauchy-elastic net: even, isotropic ones have Poisson's ratio {}, the material "

@@ -58,7 +58,7 @@ LoadSet References::of(const std::vector<LoadSpec>& specs) {
       open.push_back(loads.size() - 1);
       continue;
     }
-    answered.reference = closed_form(spec, net_, material_.elasticity(net_.dimension));
+    answered.reference = closed_form(spec, net_, material_);
     hold_as_reference(answered.load, answered.reference, net_.freedoms());
     analytic_ = true;
   }

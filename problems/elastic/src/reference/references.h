@@ -12,7 +12,7 @@
 
 #include <nodal/elastic/account.h>
 #include <nodal/elastic/loads.h>
-#include <nodal/elastic/material.h>
+#include <nodal/elastic/material_field.h>
 #include <nodal/error.h>
 
 #include "loads/placed_load.h"
@@ -30,7 +30,7 @@ struct ReferenceChoice {
 class References {
  public:
   /// All must outlive it.
-  References(ReferenceChoice choice, const Net& net, const Material& material, Account& account)
+  References(ReferenceChoice choice, const Net& net, const MaterialField& material, Account& account)
       : choice_(std::move(choice)), net_(net), material_(material), account_(account) {}
 
   /// Loads of the toolkit's own. Refusal as `place`, and where none of the methods that may be taken has an answer.
@@ -55,7 +55,7 @@ class References {
 
   ReferenceChoice choice_;
   const Net& net_;
-  const Material& material_;
+  const MaterialField& material_;
   Account& account_;
   bool analytic_ = false;                             // some load, of all calls
   std::vector<FiniteElementAnswer::Summary> meshed_;  // of all calls

@@ -77,7 +77,7 @@ std::vector<double> volumes_beside(const Net& net) {
 
 }  // namespace
 
-std::vector<double> area_stiffness(const Net& net, const Material& material) {
+std::vector<double> area_stiffness(const Net& net, const MaterialField& material) {
   if (net.grid.columns == 0 && net.triangles.empty())
     throw Refusal("the 'area' rule needs springs that are the sides of triangles, and these are not");
   const std::vector<double> areas = net.dimension == 3     ? volumes_beside(net)
@@ -85,7 +85,7 @@ std::vector<double> area_stiffness(const Net& net, const Material& material) {
                                                            : areas_of_triangles(net);
   std::vector<double> k;
   for (std::size_t e = 0; e < areas.size(); ++e)
-    k.push_back(material.young * net.body.thickness * areas[e] / (net.springs[e].length * net.springs[e].length));
+    k.push_back(material.base.young * net.body.thickness * areas[e] / (net.springs[e].length * net.springs[e].length));
   return k;
 }
 

@@ -81,7 +81,7 @@ std::vector<double> crossed_squares_beside(const Net& net) {
 
 // 0.4 E a for edges and face diagonals of cubes, half of it on a face of the body, a quarter on an edge of it. Refusal
 // unless the net is such a block.
-std::vector<double> cubes_with_face_diagonals(const Net& net, const Material& material) {
+std::vector<double> cubes_with_face_diagonals(const Net& net, double young) {
   if (net.topology != "faces")
     throw Refusal(fmt::format("the 'lattice' rule in space needs topology 'faces', and this is '{}'", net.topology));
   const Vector& cell = net.grid.cell;
@@ -99,15 +99,25 @@ std::vector<double> cubes_with_face_diagonals(const Net& net, const Material& ma
     double share = 1.0;
     for (std::size_t axis = 0; axis < 3; ++axis)
       if (i[axis] == j[axis] && (i[axis] == 0 || i[axis] == counts[axis] - 1)) share *= 0.5;
-    k.push_back(0.4 * material.young * side * share);
+    k.push_back(0.4 * young * side * share);
   }
   return k;
 }
 
+// E', of bodies that such a net can be: homogeneous and isotropic.
+double lattice_young(const MaterialField& field, std::size_t dimension) {
+  const Material* material = field.homogeneous();
+  if (!material) throw Refusal("the 'lattice' rule needs a body of one material and thickness");
+  const std::optional<Moduli> isotropic = material->elasticity(dimension).isotropic();
+  if (!isotropic) throw Refusal("the 'lattice' rule needs an isotropic material, and this one is orthotropic");
+  return isotropic->young;
+}
+
 }  // namespace
 
-std::vector<double> lattice_stiffness(const Net& net, const Material& material) {
-  if (net.dimension == 3) return cubes_with_face_diagonals(net, material);
+std::vector<double> lattice_stiffness(const Net& net, const MaterialField& material) {
+  const double young = lattice_young(material, net.dimension);
+  if (net.dimension == 3) return cubes_with_face_diagonals(net, young);
   double of_a_cell = 0.375;
   std::vector<double> k = crossed_squares_beside(net);
   if (k.empty()) {
@@ -118,7 +128,7 @@ std::vector<double> lattice_stiffness(const Net& net, const Material& material) 
     throw Refusal(
         "the 'lattice' rule needs a crossed grid of square cells, or equilateral triangles, that fill the body to its "
         "outline");
-  for (double& count : k) count *= of_a_cell * material.elasticity(2).young * net.body.thickness;
+  for (double& count : k) count *= of_a_cell * young * net.body.thickness;
   return k;
 }
 

@@ -5,9 +5,9 @@
 
 namespace nodal::elastic {
 
-std::vector<double> paper_stiffness(const Net& net, const Material& material) {
+std::vector<double> paper_stiffness(const Net& net, const MaterialField& material) {
   std::vector<double> k;
-  for (const Spring& s : net.springs) k.push_back(material.young * net.body.thickness * s.length / 4.0);
+  for (const Spring& s : net.springs) k.push_back(material.base.young * net.body.thickness * s.length / 4.0);
   return k;
 }
 

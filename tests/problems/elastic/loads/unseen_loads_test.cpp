@@ -51,13 +51,15 @@ StressField random_field(RandomStream& random, std::size_t dimension) {
 }
 
 // Hooke's law the other way round, as textbooks have it in space and in plane stress; E' and ν' make it plane strain.
-Tensor stress_of(const Tensor& strain, const Elasticity& e) {
+Tensor stress_of(const Tensor& strain, const Elasticity& elasticity) {
+  const std::size_t dimension = elasticity.dimension();
+  const Moduli e = elasticity.isotropic().value();
   double trace = 0.0;
-  for (std::size_t a = 0; a < e.dimension; ++a) trace += strain[a][a];
-  const double bulk = e.dimension == 3 ? 1.0 - 2.0 * e.poisson : 1.0 - e.poisson;
+  for (std::size_t a = 0; a < dimension; ++a) trace += strain[a][a];
+  const double bulk = dimension == 3 ? 1.0 - 2.0 * e.poisson : 1.0 - e.poisson;
   Tensor stress{};
-  for (std::size_t a = 0; a < e.dimension; ++a)
-    for (std::size_t b = 0; b < e.dimension; ++b)
+  for (std::size_t a = 0; a < dimension; ++a)
+    for (std::size_t b = 0; b < dimension; ++b)
       stress[a][b] = e.young / (1.0 + e.poisson) * (strain[a][b] + (a == b ? e.poisson / bulk * trace : 0.0));
   return stress;
 }

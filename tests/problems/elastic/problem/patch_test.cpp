@@ -67,7 +67,7 @@ TEST_P(PatchTest, SpringsInsideAreTwiceAsStiffAsThoseOnTheOutline) {
   if (GetParam().layout != "triangular") return;
   for (const char* material : kMaterials) {
     const auto problem = make_patch(GetParam(), material);
-    const double young = 70e9 / (problem->scene().material.plane == Plane::strain ? 1.0 - 0.25 * 0.25 : 1.0);
+    const double young = 70e9 / (problem->scene().material.base.plane == Plane::strain ? 1.0 - 0.25 * 0.25 : 1.0);
     const double whole = 0.5 * std::numbers::sqrt3 * young * 0.02;
     std::size_t inner = 0, border = 0;
     for (const double k : problem->scene().initial_stiffness) {

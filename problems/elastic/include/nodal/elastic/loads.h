@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-#include <nodal/elastic/material.h>
+#include <nodal/elastic/material_field.h>
 #include <nodal/elastic/net.h>
 
 namespace nodal::elastic {
@@ -80,7 +80,8 @@ enum class SupportStyle {
 ///
 /// Distances that agree within kPlaceRounding of the body's size are equal, and of equals the lowest index is taken.
 /// Refusal when an outline has fewer than two nodes, or, for `edge`, a held edge has: says which.
-[[nodiscard]] LoadSet make_basic_loads(const Net& net, const Material& material, double stress, SupportStyle style);
+[[nodiscard]] LoadSet make_basic_loads(const Net& net, const MaterialField& material, double stress,
+                                       SupportStyle style);
 
 /// Whether the body has a straight edge with two neighbouring nodes on its left and on its lower side: what `edge`
 /// holds. A box always has faces to hold.

@@ -13,7 +13,7 @@
 #include <nodal/elastic/account.h>
 #include <nodal/elastic/bounds.h>
 #include <nodal/elastic/loads.h>
-#include <nodal/elastic/material.h>
+#include <nodal/elastic/material_field.h>
 #include <nodal/elastic/net.h>
 #include <nodal/elastic/parameters.h>
 #include <nodal/registry.h>
@@ -40,7 +40,7 @@ struct Prior {
 /// Everything that defines the problem, already consistent.
 struct Scene {
   Net net;
-  Material material;
+  MaterialField material;
   LoadSet loads;
   LoadSet held_out = {};  ///< never fitted: evaluated where results are reported
   Weights weights;
