@@ -154,10 +154,12 @@ TEST_F(HeldOut, ByDefaultAreLeftOutWhereTheyCantBeHad) {
     scene.held_out = {};
     change(scene);
     Account account;
-    read_held_out(study.problems[0].options, keeps_shape, scene, account);
+    References references({}, scene.net, scene.material, account);
+    read_held_out(study.problems[0].options, keeps_shape, references, scene, account);
     EXPECT_TRUE(scene.held_out.loads.empty());
-    EXPECT_FALSE(account.stages().at(0).used);
-    return account.stages().at(0).detail;
+    const auto stage = std::ranges::find(account.stages(), "held-out loads", &Stage::name);
+    EXPECT_FALSE(stage->used);
+    return stage->detail;
   };
   const auto nothing = [](Scene&) {};
   EXPECT_PRED2(says, without(false, nothing), "bend-x, bend-y: the net keeps its shape only where its loads hold it");
