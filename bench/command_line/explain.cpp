@@ -17,10 +17,9 @@ namespace {
 
 // How the start does on what is held out; nothing where nothing is, or it can't be evaluated.
 std::string unseen_text(const Problem& problem, Evaluator& evaluator) {
-  UnseenRecord unseen{problem.held_out(), {}, 0, {}};
-  UnseenPoint start{{}, std::vector<double>(unseen.names.size())};
-  if (unseen.names.empty() || evaluator.held_out_errors(problem.space().start(), start.errors) != Status::ok) return {};
-  return fmt::format(", unseen error {:.6g}", unseen.error(start));
+  std::vector<double> errors(problem.held_out().size());
+  if (errors.empty() || evaluator.held_out_errors(problem.space().start(), errors) != Status::ok) return {};
+  return fmt::format(", unseen error {:.6g}", unseen_error(errors));
 }
 
 void explain_problem(const StudyProblem& entry) {

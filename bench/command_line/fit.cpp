@@ -61,7 +61,7 @@ std::string findings_text(const std::vector<Finding>& found, const std::vector<F
   std::string text;
   for (const Finding& finding : found) {
     const auto description = std::ranges::find(known, finding.name, &FindingDescription::name);
-    if (description == known.end() || finding.name == kUnseenFinding) continue;  // that has a line of its own
+    if (description == known.end()) continue;  // the unseen error, which has a line of its own
     text += fmt::format("; {} {:.4g}{}", description->title, finding.value,
                         description->unit.empty() ? "" : " " + description->unit);
   }

@@ -110,7 +110,7 @@ Value race_value(const ProblemReport& problem, std::span<const Axis> axes) {
 Value unseen_value(const ProblemReport& problem, std::span<const Axis> axes) {
   Value value;
   value.set("axes", axes_list(axes));
-  value.set("title", "unseen error");
+  value.set("title", unseen_finding().title);
   value.set("series", series_list(problem.unseen_curves, axes, problem.table));
   return value;
 }

@@ -190,13 +190,13 @@ void add_curves(const std::string& optimizer, std::span<const TrialRecord* const
   if (!unseen.by_axis[0].empty()) report.unseen_curves.push_back(std::move(unseen));
 }
 
-// What the kind says of its findings; of others that rows have, their names.
+// What the kind says of its findings, and the toolkit of its own; of others that rows have, their names.
 std::vector<FindingDescription> findings_of(const ProblemDescription& kind, const std::vector<OptimizerRow>& rows) {
   std::vector<FindingDescription> findings = kind.findings;
   for (const OptimizerRow& row : rows)
     for (const auto& [name, figures] : row.findings)
       if (std::ranges::find(findings, name, &FindingDescription::name) == findings.end())
-        findings.push_back({.name = name, .title = name});
+        findings.push_back(name == kUnseenFinding ? unseen_finding() : FindingDescription{.name = name, .title = name});
   return findings;
 }
 

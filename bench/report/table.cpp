@@ -131,13 +131,13 @@ bool any_has(const ProblemReport& problem, const std::string& finding) {
                              [&](const OptimizerRow& row) { return row.findings.contains(finding); });
 }
 
-// Beside the fitted error, which says little without it.
+// Beside the fitted error, which says little without it; its two words above each other.
 void add_unseen(std::vector<Filler>& fillers, const ProblemReport& problem) {
-  if (any_has(problem, kUnseenFinding))
-    fillers.push_back(finding_filler(
-        kUnseenFinding, {"unseen", "error",
-                         "root mean square of the relative errors in what is held out: measured after a trial, never "
-                         "fitted; median"}));
+  if (!any_has(problem, kUnseenFinding)) return;
+  const FindingDescription finding = unseen_finding();
+  const std::size_t space = finding.title.find(' ');
+  fillers.push_back(finding_filler(
+      finding.name, {finding.title.substr(0, space), finding.title.substr(space + 1), finding.help + "; median"}));
 }
 
 void add_findings(std::vector<Filler>& fillers, const ProblemReport& problem) {

@@ -20,6 +20,11 @@ namespace nodal {
 // A finding stands among the entries of "health" under its own name, which is none of these.
 inline constexpr std::string_view kHealthNames[] = {"error_estimate", "cost_error", "residual", "drift", "refused"};
 
+// What no finding of a problem's own may be called: the unseen error is found by trials, whatever the problem.
+inline bool is_reserved_finding(std::string_view name) {
+  return name == kUnseenFinding || std::ranges::find(kHealthNames, name) != std::end(kHealthNames);
+}
+
 inline constexpr std::string_view kEndNames[] = {"budget", "target", "finished", "failed", "timeout", "crashed"};
 
 class Writer {

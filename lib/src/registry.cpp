@@ -28,8 +28,9 @@ void Registry::add(OptimizerDescription description) {
 void Registry::add(ProblemDescription description) {
   if (find_problem(description.kind)) throw std::logic_error("problem '" + description.kind + "' is registered twice");
   for (const FindingDescription& finding : description.findings)
-    if (std::ranges::find(kHealthNames, finding.name) != std::end(kHealthNames))
-      throw std::logic_error("a finding can't be called '" + finding.name + "': every record has one of that name");
+    if (is_reserved_finding(finding.name))
+      throw std::logic_error("problem '" + description.kind + "' has a finding called '" + finding.name +
+                             "': records have an entry of that name whatever the problem; call it otherwise");
   problems_.push_back(std::move(description));
 }
 

@@ -9,6 +9,8 @@
 
 #include <nodal/agreement.h>
 
+#include "record_archive.h"
+
 namespace nodal {
 
 void TrialAudit::fail(const std::string& what) {
@@ -76,6 +78,16 @@ void TrialAudit::note_start(std::span<const double> x) {
     trace.front().quality = *record_.start.quality;
 }
 
+// A finding by a name that records have anyhow would be taken for it.
+void TrialAudit::note_health() {
+  record_.health = evaluator_.health();
+  for (const Finding& finding : record_.health.findings)
+    if (is_reserved_finding(finding.name))
+      fail(fmt::format("the problem has a finding called '{}', which is an entry of every record's; it is left out",
+                       finding.name));
+  std::erase_if(record_.health.findings, [](const Finding& finding) { return is_reserved_finding(finding.name); });
+}
+
 void TrialAudit::note_best(const std::optional<KeptPoint>& chosen) {
   if (const std::optional<OutsidePoint>& outside = meter_.outside()) {
     const Space& space = problem_.space();
@@ -93,7 +105,7 @@ void TrialAudit::note_best(const std::optional<KeptPoint>& chosen) {
   if (!problem_.space().contains(x)) fail("the best point lies outside the box");
   const Evaluation seen{Status::ok, best.cost};
   const Evaluation audited = audit(x, "the best point");
-  record_.health = evaluator_.health();
+  note_health();
   record_.health.refused = meter_.failed_evaluations();
   record_.health.drift = meter_.drift();
   if (audited.ok()) {

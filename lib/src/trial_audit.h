@@ -26,6 +26,7 @@ class TrialAudit {
 
  private:
   void fail(const std::string& what);
+  void note_health();
   Evaluation audit(const std::vector<double>& x, const std::string& what);
   PointSummary summarize(const Evaluation& evaluation, std::optional<double> data_cost, const std::string& what);
   template <class Get>

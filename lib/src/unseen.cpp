@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <nodal/command.h>
 #include <nodal/problem.h>
 #include <nodal/record.h>
 #include <nodal/show/number_text.h>
@@ -19,27 +20,29 @@ constexpr double kManyTimes = 3.0;  // the fitted error
 constexpr int kDigits = 3;
 
 template <class Counts>
-double root_mean_square(const std::vector<double>& errors, Counts counts) {
-  double sum = 0.0;
-  std::size_t counted = 0;
-  for (std::size_t i = 0; i < errors.size(); ++i) {
-    if (!counts(i)) continue;
-    sum += errors[i] * errors[i];
-    ++counted;
-  }
-  return counted > 0 ? std::sqrt(sum / static_cast<double>(counted)) : 0.0;
+double error_of_those(const std::vector<double>& errors, Counts counts) {
+  std::vector<double> counted;
+  for (std::size_t i = 0; i < errors.size(); ++i)
+    if (counts(i)) counted.push_back(errors[i]);
+  return unseen_error(counted);
 }
 
 std::string text(double error) { return figure_text(error, kDigits); }
 
 }  // namespace
 
+double unseen_error(std::span<const double> errors) {
+  double sum = 0.0;
+  for (const double error : errors) sum += error * error;
+  return errors.empty() ? 0.0 : std::sqrt(sum / static_cast<double>(errors.size()));
+}
+
 double UnseenRecord::error(const UnseenPoint& point) const {
-  return root_mean_square(point.errors, [this](std::size_t i) { return reports(i); });
+  return error_of_those(point.errors, [this](std::size_t i) { return reports(i); });
 }
 
 double UnseenRecord::choosing_error(const UnseenPoint& point) const {
-  return root_mean_square(point.errors, [](std::size_t i) { return i % 2 == 0; });
+  return error_of_those(point.errors, [](std::size_t i) { return i % 2 == 0; });
 }
 
 std::size_t UnseenRecord::worst(const UnseenPoint& point) const {
@@ -52,6 +55,13 @@ std::size_t UnseenRecord::worst(const UnseenPoint& point) const {
 const UnseenPoint* UnseenRecord::at(std::int64_t evaluation) const {
   const auto found = std::ranges::find(points, evaluation, [](const UnseenPoint& p) { return p.at.evaluation; });
   return found == points.end() ? nullptr : &*found;
+}
+
+FindingDescription unseen_finding() {
+  return {.name = kUnseenFinding,
+          .title = "unseen error",
+          .help = "root mean square of the relative errors in what is held out: measured after a trial, never fitted",
+          .tabled = true};
 }
 
 std::string validated_stop_refusal(const Problem& problem) {

@@ -2,6 +2,8 @@
 // What a description says, for `nodal list`, the config reference and the editor schema.
 #include <gtest/gtest.h>
 
+#include <nodal/unseen.h>
+
 #include "registered.h"
 
 namespace nodal::contracts {
@@ -118,7 +120,9 @@ TEST(Registrations, BringCommandsAndListsOfOtherNames) {
 
 TEST(Registrations, RefuseFindingsNamedLikeAnEntryOfEveryRecord) {
   Registry registry;
-  EXPECT_THROW(registry.add(ProblemDescription{.kind = "toy", .findings = {{.name = "drift"}}}), std::logic_error);
+  for (const char* name : {"drift", kUnseenFinding})
+    EXPECT_THROW(registry.add(ProblemDescription{.kind = "toy", .findings = {{.name = name}}}), std::logic_error);
+  EXPECT_TRUE(registry.problems().empty());
 }
 
 }  // namespace

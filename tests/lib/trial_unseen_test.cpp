@@ -101,6 +101,42 @@ TEST(Unseen, OfAProblemThatThrowsFailsTheTrialAndKeepsTheRest) {
   EXPECT_NE(other.reason.find("held-out error of odd"), std::string::npos);
 }
 
+// A problem whose evaluator finds something by a name that is taken.
+class Misnamed final : public Problem {
+ public:
+  class Finds final : public Evaluator {
+   public:
+    Evaluation value(std::span<const double> x) override { return {Status::ok, toy::bowl(x)}; }
+    [[nodiscard]] Health health() const override {
+      Health health;
+      health.findings = {{"sag", 2.0}, {kUnseenFinding, 3.0}, {"drift", 4.0}};
+      return health;
+    }
+  };
+  [[nodiscard]] const Space& space() const override { return toy_.space(); }
+  [[nodiscard]] Abilities abilities() const override { return {}; }
+  [[nodiscard]] std::unique_ptr<Evaluator> make_evaluator() const override { return std::make_unique<Finds>(); }
+
+ private:
+  toy::ToyProblem toy_;
+};
+
+TEST(Unseen, IsNoProblemsOwnFinding) {
+  Study study = study_of({});
+  study.problems[0].problem = std::make_shared<Misnamed>();
+  const TrialRecord record = run(study);
+  EXPECT_EQ(record.end, End::failed);
+  EXPECT_NE(record.reason.find("a finding called 'unseen'"), std::string::npos) << record.reason;
+  EXPECT_NE(record.reason.find("a finding called 'drift'"), std::string::npos) << record.reason;
+  ASSERT_EQ(record.health.findings.size(), 1u);
+  EXPECT_EQ(record.health.findings[0].name, "sag");
+}
+
+TEST(UnseenError, IsTheRootMeanSquare) {
+  EXPECT_DOUBLE_EQ(unseen_error(std::vector{3.0, 4.0}), std::sqrt(12.5));
+  EXPECT_EQ(unseen_error({}), 0.0);
+}
+
 TEST(ValidatedStop, ReportsThePointThatEverySecondOneChooses) {
   Study study = study_of({{"early", early}, {"late", late}});
   const TrialRecord whole = run(study);

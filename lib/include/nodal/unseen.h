@@ -21,6 +21,11 @@
 
 namespace nodal {
 
+struct FindingDescription;  // command.h
+
+/// √(mean of squares) of the relative errors in what is held out; 0 of none.
+[[nodiscard]] double unseen_error(std::span<const double> errors);
+
 struct UnseenPoint {
   TracePoint at;               ///< as the race saw it
   std::vector<double> errors;  ///< [names]
@@ -42,7 +47,7 @@ struct UnseenRecord {
 
   /// [names] Whether an error reports; all of them without a validated stop.
   [[nodiscard]] bool reports(std::size_t name) const noexcept { return !stop || name % 2 == 1; }
-  /// √(mean of squares) of what reports.
+  /// unseen_error of what reports.
   [[nodiscard]] double error(const UnseenPoint& point) const;
   /// The same of what chooses under a validated stop.
   [[nodiscard]] double choosing_error(const UnseenPoint& point) const;
@@ -52,8 +57,10 @@ struct UnseenRecord {
   [[nodiscard]] const UnseenPoint* at(std::int64_t evaluation) const;
 };
 
-/// The finding under which a record's health has the unseen error of its best point.
+/// The finding under which a record's health has the unseen error of its best point. No problem may have one of its own
+/// by that name.
 inline constexpr const char* kUnseenFinding = "unseen";
+[[nodiscard]] FindingDescription unseen_finding();
 
 class Problem;
 struct TrialRecord;

@@ -201,15 +201,16 @@ TEST_F(Collect, TakesDetailsFromTheFirstStoreThatHasThem) {
 
 TEST_F(Collect, KnowsWhatTheKindCallsThings) {
   TrialRecord found = record("k1", "annealing", 2.0);
-  found.health.findings = {{"spread", 12.0}, {"sag", 0.5}};
+  found.health.findings = {{"spread", 12.0}, {"sag", 0.5}, {"unseen", 0.1}};
   std::vector<Store> stores;
   stores.push_back(store("a", {found, record("k2", "annealing", 2.0)}));
   const ReportData data = collect(stores, kinds());
   EXPECT_EQ(data.problems[0].quality_name, "G");
   // Of a finding that the kind doesn't describe there is its name.
-  ASSERT_EQ(data.problems[0].findings.size(), 2u);
+  ASSERT_EQ(data.problems[0].findings.size(), 3u);
   EXPECT_EQ(data.problems[0].findings[0].title, "k_max/k_min");
   EXPECT_EQ(data.problems[0].findings[1].title, "sag");
+  EXPECT_EQ(data.problems[0].findings[2].help, unseen_finding().help);
   EXPECT_EQ(data.problems[0].table.rows[0].findings.at("spread").median, 12.0);
   EXPECT_EQ(collect(stores, Registry()).problems[0].quality_name, "quality");
 }

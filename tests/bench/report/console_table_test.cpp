@@ -192,7 +192,7 @@ TEST(ConsoleTable, HasUnseenErrorsBesideTheFittedOnesAndSaysWhoIsWorseThanTheSta
   ReportData data = fixture::make_data();
   ProblemReport& problem = data.problems[0];
   EXPECT_EQ(console_table(data, 200).find("unseen"), std::string::npos);
-  problem.findings = {{.name = "unseen", .title = "unseen error", .tabled = true}};
+  problem.findings = {unseen_finding()};
   problem.table.rows[0].findings["unseen"] = {0.1, 0.4689, 0.5};
   problem.table.rows[1].findings["unseen"] = {0.01, 0.02, 0.03};
   problem.table.unseen = UnseenSummary{{"pull"}, {}, 0.284};

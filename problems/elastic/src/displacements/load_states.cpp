@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include <nodal/unseen.h>
+
 namespace nodal::elastic {
 
 namespace {
@@ -63,9 +65,9 @@ void add_unseen(const ElasticModel& model, std::span<const double> stiffness, St
     return;
   }
   state.unseen = load_states(model, evaluation, stiffness);
-  double squares = 0.0;
-  for (const LoadState& load : state.unseen) squares += load.relative_error * load.relative_error;
-  state.unseen_error = std::sqrt(squares / static_cast<double>(state.unseen.size()));
+  std::vector<double> errors;
+  for (const LoadState& load : state.unseen) errors.push_back(load.relative_error);
+  state.unseen_error = unseen_error(errors);
 }
 
 }  // namespace nodal::elastic
