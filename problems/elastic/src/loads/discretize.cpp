@@ -26,7 +26,7 @@ LoadSet discretize(const std::vector<LoadSpec>& specs, const Net& net, const Mat
     PlacedLoad placed = place(spec, net);
     std::vector<double> reference = closed_form(spec, net, material);
     hold_as_reference(placed, reference, net.freedoms());
-    set.add(spec.name, std::move(placed.forces), std::move(reference), std::move(placed.group));
+    set.add(load_case(std::move(placed), std::move(reference)), std::move(placed.group));
   }
   return std::move(set).finish();
 }

@@ -15,9 +15,9 @@ class LoadSetBuilder {
   explicit LoadSetBuilder(const Freedoms& freedoms) : freedoms_(freedoms) {}
 
   /// The group's supports in any order, each freedom once; the reference is what they say where they hold.
-  /// `uncertainty` as LoadCase has it.
-  void add(std::string name, std::vector<double> forces, std::vector<double> reference, SupportGroup group,
-           std::vector<double> uncertainty = {});
+  void add(std::string name, std::vector<double> forces, std::vector<double> reference, SupportGroup group);
+  /// The same of a load whose own group is another set's.
+  void add(LoadCase load, SupportGroup group);
   /// A load of another set.
   void add(const LoadSet& set, std::size_t load);
 

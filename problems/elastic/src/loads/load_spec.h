@@ -29,6 +29,7 @@ struct LoadSpec {
   Hold hold = Hold::resting;
   std::size_t axis = 0;       ///< of the side that is held
   StressGradient gradient{};  ///< how the stress grows from there; of bodies at rest only
+  bool beside_set = false;    ///< as LoadCase has it
 };
 
 /// What `stress` is said of: the middle of the body's bounding box.

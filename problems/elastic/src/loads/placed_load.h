@@ -53,6 +53,7 @@ struct PlacedLoad {
   std::vector<std::size_t> held_as_reference = {};  ///< freedoms among the supports', ascending, that are held where
                                                     ///< the reference has them; at 0 until then
   BodyLoad body = {};
+  bool beside_set = false;  ///< as LoadCase has it
 };
 
 /// Of a net whose body has a border to pull at. Refusal as make_basic_loads.
@@ -64,5 +65,8 @@ struct PlacedLoad {
 
 /// Moves what is held as the reference has it to where this one does.
 void hold_as_reference(PlacedLoad& load, const std::vector<double>& reference, const Freedoms& freedoms);
+
+/// The load with its reference, of no group yet. Takes name and forces out of it.
+[[nodiscard]] LoadCase load_case(PlacedLoad&& load, std::vector<double> reference, std::vector<double> uncertainty = {});
 
 }  // namespace nodal::elastic

@@ -26,6 +26,7 @@ constexpr std::array<Bending, 6> kInSpace = {
 LoadSpec bent(const Bending& bending, const Extent& box, double stress) {
   LoadSpec spec{bending.name};
   spec.gradient[bending.across][bending.along][bending.along] = stress / (0.5 * box.along(bending.across));
+  spec.beside_set = true;
   return spec;
 }
 
@@ -70,6 +71,7 @@ std::vector<LoadSpec> unseen_load_specs(std::size_t dimension, const Extent& box
   std::vector<LoadSpec> specs = bending_specs(dimension, box, stress);
   std::ranges::move(lists(dimension).others(box, stress), std::back_inserter(specs));
   std::ranges::move(basic_load_specs(dimension, stress, SupportStyle::minimal), std::back_inserter(specs));
+  for (LoadSpec& spec : specs) spec.beside_set = true;
   return specs;
 }
 

@@ -9,8 +9,6 @@
 
 #include <nodal/error.h>
 
-#include "loads/unseen_loads.h"
-
 namespace nodal::elastic {
 
 namespace {
@@ -37,16 +35,12 @@ struct HeldOut {
 
 // A study of cases of its own fits no loads at rest beside them.
 HeldOut fittable(const Scene& scene, bool measured) {
-  const std::vector<LoadSpec> specs = unseen_load_specs(scene.net.dimension, extent_of(scene.net.body), 1.0),
-                              basic = basic_load_specs(scene.net.dimension, 1.0, SupportStyle::minimal);
   HeldOut held;
   for (std::size_t l = 0; l < scene.held_out.loads.size(); ++l) {
-    const std::string& name = scene.held_out.loads[l].name;
-    const bool resting =
-        std::ranges::count(specs, name, &LoadSpec::name) > 0 && std::ranges::count(basic, name, &LoadSpec::name) == 0;
-    if (resting && measured) continue;
+    const LoadCase& load = scene.held_out.loads[l];
+    if (load.beside_set && measured) continue;
     held.loads.push_back(l);
-    (resting ? held.resting : held.own).push_back(name);
+    (load.beside_set ? held.resting : held.own).push_back(load.name);
   }
   return held;
 }

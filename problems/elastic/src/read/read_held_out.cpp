@@ -118,6 +118,8 @@ void fit_also(const Options& problem, bool keeps_shape, References& references, 
   if (const LoadSet set = std::move(added).finish(); !keeps_shape || !hold_the_net(scene.net, set))
     require_rigid(scene.net, set, loads.has("cases"), option.source, account);
   scene.loads = std::move(fitted).finish();
+  require_memory(scene.net.nodes.size(), scene.loads.groups.size(), available_memory(), option.source,
+                 scene.net.dimension);
   account.used(kAlso, fmt::format("{}: at rest, in closed form", fmt::join(names, ", ")));
   tell_of_loads(scene.loads, account);
 }

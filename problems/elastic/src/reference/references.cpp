@@ -101,8 +101,8 @@ void References::answer_by_elements(const std::vector<Answered*>& loads) {
 LoadSet References::finish(std::vector<Answered> loads) {
   LoadSetBuilder set(net_.freedoms());
   for (Answered& one : loads)
-    set.add(std::move(one.load.name), std::move(one.load.forces), std::move(one.reference), std::move(one.load.group),
-            std::move(one.uncertainty));
+    set.add(load_case(std::move(one.load), std::move(one.reference), std::move(one.uncertainty)),
+            std::move(one.load.group));
   tell();
   return std::move(set).finish();
 }

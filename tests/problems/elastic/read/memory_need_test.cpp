@@ -95,6 +95,17 @@ TEST(MemoryNeed, OfTheLargestBlockIsRefusedBeforeItIsJoined) {
   EXPECT_TRUE(joined.starts_with("block.toml:5: 27000 nodes under 6 groups of supports need about ")) << joined;
 }
 
+// A load that is fitted as well has a group of its own, whatever is held out.
+TEST(MemoryNeed, OfALoadFittedAsWellIsAskedFor) {
+  const AddressSpace limit(1'080'000'000);  // of which three quarters are enough for 4 groups, not for 5
+  const auto with = [](const std::string& loads) {
+    return toy::message_of([&] { (void)make_plate({.supports = "edge\", " + loads, .counts = "[200, 200]"}); });
+  };
+  EXPECT_EQ(with("held_out = \"none"), "(nothing was thrown)");
+  const std::string refused = with("held_out = \"none\", also = \"bend-x");
+  EXPECT_NE(refused.find("40000 nodes under 5 groups of supports need about "), std::string::npos) << refused;
+}
+
 TEST(MemoryNeed, KnowsTheLimitsOfControlGroups) {
   const toy::TemporaryDirectory folder;
   const auto write = [&](const std::string& name, const std::string& text) {

@@ -37,6 +37,7 @@ struct LoadCase {
   std::vector<double> reference;  ///< displacement of the body; 0 where it isn't known
   /// How far off the reference may be, estimated, at each freedom; empty where it is exact, or nobody knows.
   std::vector<double> uncertainty = {};
+  bool beside_set = false;  ///< none of the set's or the study's own: held out, or fitted as well, by its name
 };
 
 /// Supports in ascending freedom order, each freedom once.
