@@ -99,32 +99,50 @@ void refuse_another_system(const StudyProblem& entry, const report::ProblemRepor
     refuse("the files that the study names hold something else");
 }
 
-// Before and after: the start and the best point of the report.
-ReportPart picture_of(const StudyProblem& entry, const report::ReportData& data) {
-  const auto own = std::ranges::find_if(
-      data.problems, [&](const report::ProblemReport& p) { return p.table.reference.label == entry.label; });
-  if (own == data.problems.end() || !own->best) return {};
-  refuse_another_system(entry, *own);
-  const std::span<const double> start = entry.problem->space().start();
-  const std::vector<LabelledPoint> points = {{"start", {start.begin(), start.end()}},
-                                             {"best: " + own->best->optimizer, own->best->x}};
-  return exhibit_of(*entry.problem)->report(entry.label, points);
+report::ProblemReport* report_of(report::ReportData& data, const std::string& label) {
+  const auto own =
+      std::ranges::find(data.problems, label, [](const report::ProblemReport& p) { return p.table.reference.label; });
+  return own == data.problems.end() || !own->best ? nullptr : &*own;
 }
 
-Value to_value(const ReportPart& part) {
+// What a report says of a problem that is there.
+struct Shown {
+  ReportPart picture;
+  std::vector<std::string> notes;
+};
+
+// Before and after: the start and the best point of the report.
+Shown show(const StudyProblem& entry, const report::ProblemReport& own) {
+  refuse_another_system(entry, own);
+  const std::span<const double> start = entry.problem->space().start();
+  const std::vector<LabelledPoint> points = {{"start", {start.begin(), start.end()}},
+                                             {"best: " + own.best->optimizer, own.best->x}};
+  const std::shared_ptr<const Exhibit> exhibit = exhibit_of(*entry.problem);
+  return {exhibit->report(entry.label, points), exhibit->notes_at(exhibit->start())};
+}
+
+void add(Shown shown, const std::string& label, report::ReportData& data) {
+  if (!shown.picture.empty()) data.pictures.emplace(label, std::move(shown.picture));
+  if (report::ProblemReport* own = report_of(data, label)) own->notes = std::move(shown.notes);
+}
+
+Value to_value(const Shown& shown) {
   Value table;
-  table.set("html", part.html);
-  table.set("style", part.style);
-  table.set("script", part.script);
+  table.set("html", shown.picture.html);
+  table.set("style", shown.picture.style);
+  table.set("script", shown.picture.script);
+  table.set("notes", Value(Value::List(shown.notes.begin(), shown.notes.end())));
   return table;
 }
 
-ReportPart to_part(const Value& table) {
-  return {table.at("html").text(), table.at("style").text(), table.at("script").text()};
+Shown to_shown(const Value& table) {
+  Shown shown{{table.at("html").text(), table.at("style").text(), table.at("script").text()}, {}};
+  for (const Value& note : table.at("notes").list()) shown.notes.push_back(note.text());
+  return shown;
 }
 
-// {"pictures": {label: {html, style, script}}}, or {"refused": why}.
-std::string stored_pictures(const Value& study, const Registry& registry, const report::ReportData& data) {
+// {"shown": {label: {html, style, script, notes}}}, or {"refused": why}.
+std::string stored_pictures(const Value& study, const Registry& registry, report::ReportData& data) {
   Value answer;
   try {
     const fs::path folder = study.at("directory").text();
@@ -133,10 +151,12 @@ std::string stored_pictures(const Value& study, const Registry& registry, const 
     const Value parsed = parse_toml(text, path.string());
     refuse_costly(parsed, registry);
     refuse_strange_files(parsed, folder, path, text);
-    Value pictures;
+    Value shown;
     for (const StudyProblem& problem : parse_study(text, path, registry).problems)
-      if (!data.pictures.contains(problem.label)) pictures.set(problem.label, to_value(picture_of(problem, data)));
-    answer.set("pictures", std::move(pictures));
+      if (const report::ProblemReport* own = report_of(data, problem.label);
+          own && !data.pictures.contains(problem.label))
+        shown.set(problem.label, to_value(show(problem, *own)));
+    answer.set("shown", std::move(shown));
   } catch (const std::exception& error) {
     answer.set("refused", error.what());
   }
@@ -161,11 +181,11 @@ std::string wait_for(ChildProcess& child) {
 }  // namespace
 
 void add_pictures(const Study& study, report::ReportData& data) {
-  std::map<std::string, ReportPart> pictures;
+  std::map<std::string, Shown> all;  // or none, where one is refused
   for (const StudyProblem& problem : study.problems)
-    if (ReportPart picture = picture_of(problem, data); !picture.empty())
-      pictures.emplace(problem.label, std::move(picture));
-  data.pictures.merge(pictures);
+    if (const report::ProblemReport* own = report_of(data, problem.label))
+      all.emplace(problem.label, show(problem, *own));
+  for (auto& [label, shown] : all) add(std::move(shown), label, data);
 }
 
 void add_stored_pictures(const Store& store, const Registry& registry, report::ReportData& data) {
@@ -174,8 +194,7 @@ void add_stored_pictures(const Store& store, const Registry& registry, report::R
   ChildProcess child([&] { return stored_pictures(*study, registry, data); });
   const Value answer = parse_json(wait_for(child), "pictures");
   if (const Value* refused = answer.find("refused")) throw InputError(refused->text());
-  for (const auto& [label, picture] : answer.at("pictures").table())
-    if (ReportPart part = to_part(picture); !part.empty()) data.pictures.emplace(label, std::move(part));
+  for (const auto& [label, shown] : answer.at("shown").table()) add(to_shown(shown), label, data);
 }
 
 }  // namespace nodal

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-/// Pictures for the page: the start and the best point of each problem whose exhibit draws them.
+/// Pictures for the page: the start and the best point of each problem whose exhibit draws them. With them comes what
+/// is to be known of any result (ProblemReport::notes): both need the problem itself.
 
 #include <nodal/study.h>
 

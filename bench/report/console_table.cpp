@@ -74,7 +74,7 @@ std::string problem_block(const ProblemReport& problem, std::size_t width) {
   std::string text = printable(problem.table.reference.label + ": " + describe_reference(problem)) + "\n\n";
   text += line(table, widths, titles) + line(table, widths, subtitles);
   for (const auto& row : table.rows) text += line(table, widths, row);
-  for (const std::string& note : table.notes) text += note + "\n";
+  for (const std::string& note : table.notes) text += printable(note) + "\n";
   if (!left_out.empty()) text += fmt::format("(left out to fit {} columns: {})\n", width, fmt::join(left_out, ", "));
   return text + "\n";
 }

@@ -46,8 +46,9 @@ struct ProblemReport {
   std::vector<OptimizerCurves> curves;         ///< in the table's order; optimizers without a point are left out
   std::vector<OptimizerCurves> unseen_curves;  ///< the same of unseen errors
   std::optional<BestOfAll> best;
-  ReportPart details;            ///< of how it was made; empty where the manifests say nothing
-  std::string fingerprint = {};  ///< of the files it was read from (StudyProblem), as the stores have it
+  std::vector<std::string> notes;  ///< what is to be known of any result: Exhibit::notes_at the start. By the caller
+  ReportPart details;              ///< of how it was made; empty where the manifests say nothing
+  std::string fingerprint = {};    ///< of the files it was read from (StudyProblem), as the stores have it
 
   /// What gaps, targets and curves are of: "G", "G with prior".
   [[nodiscard]] std::string raced_name() const { return quality_name + (table.has_prior ? " with prior" : ""); }

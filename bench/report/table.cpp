@@ -197,8 +197,10 @@ std::optional<std::string> validated_note(const ProblemTable& table) {
                      fmt::join(table.unseen->chosen_by, ", "), fmt::join(table.unseen->reported, ", "));
 }
 
-std::vector<std::string> notes_of(const ProblemTable& table) {
+std::vector<std::string> notes_of(const ProblemReport& problem) {
+  const ProblemTable& table = problem.table;
   std::vector<std::string> notes;
+  for (const std::string& note : problem.notes) notes.push_back(fmt::format("At the start: {}.", note));
   for (std::optional<std::string>& note :
        std::array{disturbed_note(table.rows), worse_unseen_note(table), risen_unseen_note(table),
                   missing_unseen_note(table), validated_note(table)})
@@ -246,7 +248,7 @@ Table make_text_table(const ProblemReport& problem) {
     for (const Filler& filler : fillers) cells.push_back(filler.cell(*row));
     table.optimizers.push_back(row->label);
   }
-  table.notes = notes_of(problem.table);
+  table.notes = notes_of(problem);
   return table;
 }
 

@@ -230,6 +230,21 @@ TEST(FitOwnSystem, EndsOffItsBoundsAndNamesWhatIsArbitrary) {
   EXPECT_EQ(state.at("undetermined").list().size(), 3u);
 }
 
+// A race tells it, too: with the figures of any of its rows, and again where a report is made of the store.
+TEST(FitOwnSystem, IsSaidToBeOpenBelowATable) {
+  const Folder folder;
+  write_king_post(folder);
+  folder.write("race.toml", read_file(folder.path() / "king.toml") +
+                                "[study]\nname = \"race\"\nrepeats = 1\n[budget]\nevaluations = 50\n"
+                                "[[optimizer]]\nuse = \"annealing\"\n");
+  const std::string note = "\nAt the start: 2 measured displacements can't determine 5 stiffnesses: 3 are arbitrary";
+  const Output race = run(folder, {"compare", "race.toml"});
+  EXPECT_EQ(race.exit, 0) << race.err;
+  EXPECT_TRUE(contains(race.out, note)) << race.out;
+  EXPECT_TRUE(contains(run(folder, {"report", "results/race"}).out, note));
+  EXPECT_TRUE(contains(read_file(folder.path() / "results/race/report.html"), "determine 5 stiffnesses"));
+}
+
 // What a fit writes is all that another study needs: the same groups, bounds, error, as points and springs and as a
 // start.
 TEST(FitOwnSystem, ComesBackFromItsExport) {

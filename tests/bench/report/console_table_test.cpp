@@ -222,6 +222,14 @@ TEST(ConsoleTable, HasUnseenErrorsBesideTheFittedOnesAndSaysWhoIsWorseThanTheSta
       << text;
 }
 
+TEST(ConsoleTable, SaysBelowTheTableWhatIsToBeKnownOfAnyResult) {
+  ReportData data = fixture::make_data();
+  data.problems[0].notes = {"2 displacements can't determine 5\x1b[2J stiffnesses"};
+  EXPECT_NE(console_table(data, 200).find("\nAt the start: 2 displacements can't determine 5\\u001b[2J stiffnesses.\n"),
+            std::string::npos)
+      << console_table(data, 200);
+}
+
 TEST(ConsoleTable, CallsTheQualityAsTheKindDoes) {
   ReportData data = fixture::make_data();
   data.problems[0].quality_name = "Q";
