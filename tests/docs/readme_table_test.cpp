@@ -26,7 +26,7 @@ namespace {
 
 const std::string kHowToMend =
     "README.md's table differs from what the program prints; make it again with\n  " NODAL_PROGRAM
-    " compare " NODAL_SOURCE_DIR "/bench/scenes/plate.toml && " README_TABLE_TOOL " " NODAL_SOURCE_DIR
+    " compare " NODAL_SOURCE_DIR "/bench/scenes/plate.toml && " PAGE_TABLE_TOOL " " NODAL_SOURCE_DIR
     "/README.md results/plate";
 
 std::vector<std::string> words_of(const std::string& text) {
