@@ -14,10 +14,10 @@
 namespace nodal::elastic {
 
 struct HeldNodes {
-  std::vector<Support> supports = {};  ///< at 0
-  std::vector<std::size_t> side = {};  ///< the nodes of the side that is held, ascending; none at rest
-  std::vector<std::size_t> rest = {};  ///< of a body at rest: node k is held along axis k and those after it
-  Vector origin{};                        ///< a place of the body that doesn't move
+  std::vector<Support> supports = {};          ///< at 0
+  std::vector<std::size_t> side = {};          ///< the nodes of the side that is held, ascending; none at rest
+  std::vector<std::size_t> rest = {};          ///< of a body at rest: node k is held along axis k and those after it
+  Vector origin{};                             ///< a place of the body that doesn't move
   std::vector<std::size_t> as_reference = {};  ///< freedoms among them that are held where the reference has them
 };
 

@@ -10,7 +10,9 @@ void LoadSetBuilder::add(std::string name, std::vector<double> forces, std::vect
   add({std::move(name), 0, std::move(forces), std::move(reference)}, std::move(group));
 }
 
-void LoadSetBuilder::add(const LoadSet& set, std::size_t load) { add(set.loads[load], set.groups[set.loads[load].group]); }
+void LoadSetBuilder::add(const LoadSet& set, std::size_t load) {
+  add(set.loads[load], set.groups[set.loads[load].group]);
+}
 
 void LoadSetBuilder::add(LoadCase load, SupportGroup group) {
   std::ranges::sort(group.supports, {}, [&](const Support& s) { return freedoms_.at(s.node, s.axis); });

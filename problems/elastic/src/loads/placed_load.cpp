@@ -69,11 +69,13 @@ PlacedLoad place(const LoadSpec& spec, const Net& net) {
   require_border(net);
   HeldNodes held = held_nodes(spec, net);
   BodyLoad body = on_the_body(spec, net, held);
-  return {spec.name, forces_of(body, net), {std::move(held.supports)}, std::move(held.as_reference), std::move(body), spec.beside_set};
+  return {spec.name,       forces_of(body, net), {std::move(held.supports)}, std::move(held.as_reference),
+          std::move(body), spec.beside_set};
 }
 
 LoadCase load_case(PlacedLoad&& load, std::vector<double> reference, std::vector<double> uncertainty) {
-  return {std::move(load.name), 0, std::move(load.forces), std::move(reference), std::move(uncertainty), load.beside_set};
+  return {std::move(load.name), 0, std::move(load.forces), std::move(reference), std::move(uncertainty),
+          load.beside_set};
 }
 
 void hold_as_reference(PlacedLoad& load, const std::vector<double>& reference, const Freedoms& freedoms) {

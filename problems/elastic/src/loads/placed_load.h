@@ -26,7 +26,8 @@ struct BorderPull {
   std::vector<std::size_t> pieces;  ///< ascending
   StressField stress = {};
   Vector traction{};
-  bool local_thickness = false;  ///< times the thickness that the body has there, where regions have others; else its own
+  bool local_thickness =
+      false;  ///< times the thickness that the body has there, where regions have others; else its own
 };
 
 /// Holds each of the pieces along an axis, at a displacement.
@@ -67,6 +68,7 @@ struct PlacedLoad {
 void hold_as_reference(PlacedLoad& load, const std::vector<double>& reference, const Freedoms& freedoms);
 
 /// The load with its reference, of no group yet. Takes name and forces out of it.
-[[nodiscard]] LoadCase load_case(PlacedLoad&& load, std::vector<double> reference, std::vector<double> uncertainty = {});
+[[nodiscard]] LoadCase load_case(PlacedLoad&& load, std::vector<double> reference,
+                                 std::vector<double> uncertainty = {});
 
 }  // namespace nodal::elastic

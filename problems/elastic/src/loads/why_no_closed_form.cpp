@@ -26,7 +26,8 @@ std::string why_not_borne(const LoadSpec& spec) {
 
 std::string why_not_homogeneous(const MaterialField& field) {
   for (std::size_t region = 1; region <= field.regions.size(); ++region)
-    if (field.counts(region) && field.regions[region - 1].thickness) return "the body's thickness isn't the same everywhere";
+    if (field.counts(region) && field.regions[region - 1].thickness)
+      return "the body's thickness isn't the same everywhere";
   return "the body is of several materials";
 }
 

@@ -125,7 +125,8 @@ std::string flaw_of(const Orthotropic& m, std::size_t axes) {
   return fmt::format(
       "Poisson's ratios {}: the least eigenvalue of S_ab √(E_a E_b) is {:.3g}, and must be at least "
       "{:.1g}, which an isotropic material has at ν = {}; take smaller ones",
-      least > 0.0 ? "are too near to those of no material" : "are together those of no material, a load would gain energy",
+      least > 0.0 ? "are too near to those of no material"
+                  : "are together those of no material, a load would gain energy",
       least, 1.0 - 2.0 * kLargestPoisson, kLargestPoisson);
 }
 

@@ -12,7 +12,9 @@ namespace {
 
 using Segment = std::array<plane::Point, 2>;
 
-plane::Point along(const plane::Point& p, const plane::Point& d, double t) { return {p[0] + t * d[0], p[1] + t * d[1]}; }
+plane::Point along(const plane::Point& p, const plane::Point& d, double t) {
+  return {p[0] + t * d[0], p[1] + t * d[1]};
+}
 
 // What of p + t d, first ≤ t ≤ last, is within the box (Liang and Barsky).
 std::optional<Segment> cut(const plane::Point& p, const plane::Point& d, double first, double last, const Extent& box) {

@@ -120,7 +120,7 @@ void fit_also(const Options& problem, bool keeps_shape, References& references, 
   scene.loads = std::move(fitted).finish();
   require_memory(scene.net.nodes.size(), scene.loads.groups.size(), available_memory(), option.source,
                  scene.net.dimension);
-  account.used(kAlso, fmt::format("{}: at rest, in closed form", fmt::join(names, ", ")));
+  account.used(kAlso, fmt::format("{}: at rest", fmt::join(names, ", ")));
   tell_of_loads(scene.loads, account);
 }
 
@@ -167,7 +167,8 @@ void hold_out_bendings(double stress, bool keeps_shape, References& references, 
     account.left_out(kStage, fmt::format("{}: {}", names, flaw));
     return;
   }
-  account.used(kStage, names + ": at rest, in closed form, never fitted; held_out = \"none\" goes without");
+  references.tell();
+  account.used(kStage, names + ": at rest, never fitted; held_out = \"none\" goes without");
 }
 
 void require_fit(const Options& problem, bool keeps_shape, const Value& names, const Scene& scene, Account& account) {
@@ -218,9 +219,7 @@ void hold_out_named(const std::vector<Value>& names, const Options& loads, Refer
   if (kept == 0) throw InputError(source, "'held_out' names all loads of the study: none is left to be fitted");
   scene.held_out = std::move(held).finish();
   account.used(kStage, fmt::format("{}: never fitted{}", fmt::join(names_of(scene.held_out), ", "),
-                                   made.empty() ? ""
-                                                : fmt::format("; at rest, in closed form for the study's material: {}",
-                                                              fmt::join(made, ", "))));
+                                   made.empty() ? "" : fmt::format("; at rest: {}", fmt::join(made, ", "))));
   if (kept == taken.size()) return;
   for (std::size_t l = 0; l < taken.size(); ++l)
     if (!taken[l]) fitted.add(scene.loads, l);
@@ -242,19 +241,17 @@ void tell_why_none(const Scene& scene, Account& account) {
 }  // namespace
 
 OptionSchema unseen_options() {
-  return {
-      {.name = "also",
-       .type = OptionType::text_list,
-       .default_text = "none",
-       .help = "loads of a body at rest, in closed form, that are fitted beside those of the set: bend-x, … as "
-               "held_out has them"},
-      {.name = "held_out",
-       .type = OptionType::text_list,
-       .default_text = "bend-x and bend-y, in space the six bend-xy, …, where the reference is the closed form of "
-                       "the basic loads; else none",
-       .help = "loads that are never fitted, but evaluated at what was: names of the study's own, then not fitted; "
-               "or loads of a body at rest, in closed form: bend-x, bend-y, stretch-45, stretch-x, stretch-y, shear, "
-               "in space bend-xy, …, twist-x, -y, -z, stretch-x, …, shear-xy, …; none: \"none\""}};
+  return {{.name = "also",
+           .type = OptionType::text_list,
+           .default_text = "none",
+           .help = "loads of a body at rest that are fitted beside those of the set: bend-x, … as "
+                   "held_out has them"},
+          {.name = "held_out",
+           .type = OptionType::text_list,
+           .default_text = "bend-x and bend-y, in space the six bend-xy, …, where nothing was measured; else none",
+           .help = "loads that are never fitted, but evaluated at what was: names of the study's own, then not fitted; "
+                   "or loads of a body at rest: bend-x, bend-y, stretch-45, stretch-x, stretch-y, shear, "
+                   "in space bend-xy, …, twist-x, -y, -z, stretch-x, …, shear-xy, …; none: \"none\""}};
 }
 
 void read_held_out(const Options& problem, bool keeps_shape, References& references, Scene& scene, Account& account) {
@@ -272,6 +269,7 @@ void read_held_out(const Options& problem, bool keeps_shape, References& referen
                      "nothing can be held out of a study in which nothing is fitted, for want of a reference; give "
                      "reference = { file = \"displacements.csv\" }, or leave 'held_out' out");
   hold_out_named(names, loads, references, scene, option.source, account);
+  if (references.choice().method != ReferenceChoice::Method::file) references.tell();
   require_fit(problem, keeps_shape, option, scene, account);
   tell_of_combinations(scene, account);
 }

@@ -88,9 +88,19 @@ void tell_of_selections(const std::vector<OwnCase>& cases, Account& account) {
   account.data.set("selections", Value(std::move(lines)));
 }
 
+// What was found of references: a file's summary, or why there is none of a study's own loads.
+struct Found {
+  std::string measured = {}, no_answer = {};
+};
+
+Found take(MeasuredLoads measured, Scene& scene) {
+  scene.loads = std::move(measured.loads);
+  return {std::move(measured.summary)};
+}
+
 // The toolkit's own.
-void read_set(const Options& problem, const ProblemContext& context, References& references, Scene& scene,
-              Account& account) {
+Found read_set(const Options& problem, const ProblemContext& context, References& references, Scene& scene,
+               Account& account) {
   const Options loads = problem.table("loads");
   if (loads.has("cases"))
     throw InputError(loads.at("cases").source,
@@ -100,7 +110,7 @@ void read_set(const Options& problem, const ProblemContext& context, References&
   const Options reference = problem.table("reference");
   if (!reference.has("file")) {
     scene.loads = read_basic_loads(loads, scene, account, [&](const auto& specs) { return references.of(specs); });
-    return;
+    return {};
   }
   std::vector<PlacedLoad> placed = read_basic_loads(loads, scene, account, [&](const auto& specs) {
     std::vector<PlacedLoad> each;
@@ -108,7 +118,7 @@ void read_set(const Options& problem, const ProblemContext& context, References&
     return each;
   });
   const std::vector<Source> sources(placed.size(), loads.values().source);
-  scene.loads = measured_loads(reference, context, std::move(placed), sources, scene.net, account);
+  return take(measured_loads(reference, context, std::move(placed), sources, scene.net, account), scene);
 }
 
 std::vector<OwnCase> read_described(const Options& loads, const Scene& scene, Account& account) {
@@ -127,19 +137,18 @@ std::vector<OwnCase> read_described(const Options& loads, const Scene& scene, Ac
 
 // Nothing to compare with: why, and that the scene is solved only.
 void leave_without_reference(std::vector<PlacedLoad> placed, const std::vector<Source>& sources, const std::string& why,
-                             const Source& reference, Scene& scene, Account& account) {
+                             const Source& reference, Scene& scene) {
   scene.has_reference = false;
   scene.fit_refusal =
       InputError(reference, fmt::format("cases of your own need reference = {{ file = \"displacements.csv\" }}, the "
                                         "displacements to be matched: {}",
                                         why))
           .what();
-  account.left_out(kFiniteElementStage, why);
   scene.loads = only_solved(std::move(placed), sources, scene.net);
 }
 
-void read_own_loads(const Options& problem, const ProblemContext& context, References& references, Scene& scene,
-                    Account& account) {
+Found read_own_loads(const Options& problem, const ProblemContext& context, References& references, Scene& scene,
+                     Account& account) {
   using Method = ReferenceChoice::Method;
   const std::vector<OwnCase> cases = read_described(problem.table("loads"), scene, account);
   std::vector<PlacedLoad> placed;
@@ -148,10 +157,10 @@ void read_own_loads(const Options& problem, const ProblemContext& context, Refer
   const Options reference = problem.table("reference");
   const ReferenceChoice& choice = references.choice();
   if (choice.method == Method::file) {
-    scene.loads = measured_loads(reference, context, std::move(placed), sources, scene.net, account);
-    return tell_of_idle_loads(cases, scene, account);
+    Found found = take(measured_loads(reference, context, std::move(placed), sources, scene.net, account), scene);
+    tell_of_idle_loads(cases, scene, account);
+    return found;
   }
-  account.left_out(kAnalyticStage, "a closed form is known for the basic loads only");
   if (choice.method == Method::analytic)
     throw InputError(choice.source,
                      "method = \"analytic\" has no answer to loads of your own: a closed form is known "
@@ -164,8 +173,9 @@ void read_own_loads(const Options& problem, const ProblemContext& context, Refer
       why = refusal.what();
     }
   if (!why.empty() && choice.method == Method::finite_elements) throw InputError(choice.source, why);
-  if (!why.empty()) leave_without_reference(std::move(placed), sources, why, reference.values().source, scene, account);
+  if (!why.empty()) leave_without_reference(std::move(placed), sources, why, reference.values().source, scene);
   tell_of_idle_loads(cases, scene, account);
+  return {{}, why};
 }
 
 }  // namespace
@@ -211,10 +221,17 @@ void read_loads(const Options& problem, const ProblemContext& context, Reference
                 Account& account) {
   const Options loads = problem.table("loads");
   const bool own = loads.has("set") ? loads.text("set") == "own" : loads.has("cases");
-  own ? read_own_loads(problem, context, references, scene, account)
-      : read_set(problem, context, references, scene, account);
+  const Found found = own ? read_own_loads(problem, context, references, scene, account)
+                          : read_set(problem, context, references, scene, account);
   tell_of_loads(scene.loads, account);
-  account.left_out(kMeasuredStage, "no file is given");
+  if (found.measured.empty()) {
+    own ? references.tell("a closed form is known for the basic loads only", found.no_answer) : references.tell();
+    account.left_out(kMeasuredStage, "no file is given");
+  } else {
+    account.left_out(kAnalyticStage, "the reference was measured");
+    account.left_out(kFiniteElementStage, "the reference was measured");
+    account.used(kMeasuredStage, found.measured);
+  }
 }
 
 }  // namespace nodal::elastic

@@ -83,7 +83,7 @@ OptionSchema reference_fields() {
                "nothing"},
       {.name = "tolerance",
        .type = OptionType::number,
-       .default_value = 1e-4,
+       .default_text = "1e-4",
        .unit = "largest displacement of the load",
        .minimum = 1e-8,
        .maximum = 1e-1,
@@ -99,7 +99,8 @@ OptionSchema reference_fields() {
 ReferenceChoice read_reference_choice(const Options& reference, std::size_t dimension) {
   if (dimension == 3 && reference.has("file"))
     throw InputError(reference.at("file").source, "measured displacements are read in the plane only");
-  ReferenceChoice choice{method_named(reference.text("method")), reference.number("tolerance"),
+  ReferenceChoice choice{method_named(reference.text("method")),
+                         reference.has("tolerance") ? reference.number("tolerance") : kReferenceTolerance,
                          reference.given("method") ? reference.at("method").source : reference.values().source};
   if (reference.has("file")) {
     if (choice.method != Method::automatic && choice.method != Method::file)
@@ -117,18 +118,15 @@ ReferenceChoice read_reference_choice(const Options& reference, std::size_t dime
   return choice;
 }
 
-LoadSet measured_loads(const Options& reference, const ProblemContext& context, std::vector<PlacedLoad> loads,
-                       const std::vector<Source>& sources, const Net& net, Account& account) {
+MeasuredLoads measured_loads(const Options& reference, const ProblemContext& context, std::vector<PlacedLoad> loads,
+                             const std::vector<Source>& sources, const Net& net, Account& account) {
   std::vector<std::string> names;
   for (const PlacedLoad& load : loads) names.push_back(load.name);
   const std::vector<MeasuredLoad> measured =
       read_displacement_file(context.files, named_file(context.files, reference.at("file")), net, names, account,
                              read_table_options(reference));
   for (std::size_t l = 0; l < loads.size(); ++l) hold_as_measured(loads[l], sources[l], measured[l], net);
-  account.left_out(kAnalyticStage, "the reference was measured");
-  account.left_out(kFiniteElementStage, "the reference was measured");
-  account.used(kMeasuredStage, summary(reference.text("file"), measured));
-  return grouped(std::move(loads), measured, net.freedoms());
+  return {grouped(std::move(loads), measured, net.freedoms()), summary(reference.text("file"), measured)};
 }
 
 LoadSet only_solved(std::vector<PlacedLoad> loads, const std::vector<Source>& sources, const Net& net) {

@@ -19,11 +19,16 @@ namespace nodal::elastic {
 /// InputError for keys that contradict each other.
 [[nodiscard]] ReferenceChoice read_reference_choice(const Options& reference, std::size_t dimension);
 
+struct MeasuredLoads {
+  LoadSet loads;
+  std::string summary;  ///< of what was read, for people
+};
+
 /// Loads with what a file says was measured of them. `sources`: where each load is described. InputError for what
 /// doesn't fit.
-[[nodiscard]] LoadSet measured_loads(const Options& reference, const ProblemContext& context,
-                                     std::vector<PlacedLoad> loads, const std::vector<Source>& sources, const Net& net,
-                                     Account& account);
+[[nodiscard]] MeasuredLoads measured_loads(const Options& reference, const ProblemContext& context,
+                                           std::vector<PlacedLoad> loads, const std::vector<Source>& sources,
+                                           const Net& net, Account& account);
 
 /// Loads that nobody knows a reference of: they can be solved, but nothing fitted. Together are those that would be if
 /// all were known. InputError for one that is held as measured.

@@ -14,16 +14,13 @@ namespace {
 
 using Method = ReferenceChoice::Method;
 
-// What meshes are made of.
-const char* elements_of(const Net& net) { return net.dimension == 3 ? "tetrahedra" : "triangles"; }
-
-std::string describe(const FiniteElementAnswer::Summary& summary, const Net& net, double tolerance) {
+std::string describe(const FiniteElementAnswer::Summary& summary, double tolerance) {
   const auto worst = std::ranges::max_element(summary.errors);
   const std::string& name = summary.names[static_cast<std::size_t>(worst - summary.errors.begin())];
   return fmt::format(
       "{}: {} meshes, up to {} quadratic {} with {} unknowns; estimated error {:.1e} of the largest "
       "displacement{}{}",
-      fmt::join(summary.names, ", "), summary.meshes, summary.cells, elements_of(net), summary.unknowns, *worst,
+      fmt::join(summary.names, ", "), summary.meshes, summary.cells, summary.elements, summary.unknowns, *worst,
       summary.errors.size() > 1 ? fmt::format(" ({})", name) : "",
       summary.converged ? "" : fmt::format(", not the tolerance of {:g}", tolerance));
 }
@@ -93,8 +90,7 @@ void References::answer_by_elements(const std::vector<Answered*>& loads) {
     loads[l]->uncertainty = std::move(answer.loads[l].uncertainty);
   }
   if (!answer.summary.converged)
-    account_.finding("the reference is not as exact as asked for: " +
-                     describe(answer.summary, net_, choice_.tolerance));
+    account_.finding("the reference is not as exact as asked for: " + describe(answer.summary, choice_.tolerance));
   meshed_.push_back(std::move(answer.summary));
 }
 
@@ -103,17 +99,17 @@ LoadSet References::finish(std::vector<Answered> loads) {
   for (Answered& one : loads)
     set.add(load_case(std::move(one.load), std::move(one.reference), std::move(one.uncertainty)),
             std::move(one.load.group));
-  tell();
   return std::move(set).finish();
 }
 
-void References::tell() {
+void References::tell(std::string_view no_closed_form, std::string_view no_elements) {
   if (analytic_) account_.used(kAnalyticStage, "a homogeneous body under homogeneous stress: the closed form is exact");
-  if (meshed_.empty()) return account_.left_out(kFiniteElementStage, "the closed form is exact");
+  account_.left_out(kAnalyticStage, std::string(no_closed_form));
+  if (meshed_.empty()) return account_.left_out(kFiniteElementStage, std::string(no_elements));
   std::vector<std::string> told;
   Value::List reports;
   for (const FiniteElementAnswer::Summary& summary : meshed_) {
-    told.push_back(describe(summary, net_, choice_.tolerance));
+    told.push_back(describe(summary, choice_.tolerance));
     reports.push_back(report(summary));
   }
   account_.used(kFiniteElementStage, fmt::format("{}", fmt::join(told, "; ")));

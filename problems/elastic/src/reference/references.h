@@ -8,6 +8,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <nodal/elastic/account.h>
@@ -20,11 +21,14 @@
 
 namespace nodal::elastic {
 
+/// Of finite elements, unless a study says otherwise.
+inline constexpr double kReferenceTolerance = 1e-4;
+
 struct ReferenceChoice {
   /// `file` and `none` are of the study's own loads; others are answered as `automatic` then.
   enum class Method { automatic, analytic, finite_elements, file, none } method = Method::automatic;
-  double tolerance = 1e-4;  ///< of finite elements
-  Source source = {};       ///< where it was chosen
+  double tolerance = kReferenceTolerance;  ///< of finite elements
+  Source source = {};                      ///< where it was chosen
 };
 
 class References {
@@ -40,6 +44,10 @@ class References {
   /// Why they have none, as far as can be told before it is tried; empty when they may.
   [[nodiscard]] std::string no_answer_for(const std::vector<PlacedLoad>& loads) const;
 
+  /// What was taken so far, and why the others weren't.
+  void tell(std::string_view no_closed_form = "no load has one, or finite elements were chosen",
+            std::string_view no_elements = "the closed form is exact");
+
   [[nodiscard]] const ReferenceChoice& choice() const noexcept { return choice_; }
 
  private:
@@ -51,7 +59,6 @@ class References {
 
   void answer_by_elements(const std::vector<Answered*>& loads);
   LoadSet finish(std::vector<Answered> loads);
-  void tell();
 
   ReferenceChoice choice_;
   const Net& net_;

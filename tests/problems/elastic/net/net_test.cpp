@@ -151,7 +151,7 @@ TEST(Stages, AreLeftOutWhereTheSceneDoesNotNeedThem) {
   std::size_t used = 0, left_out = 0;
   for (const Stage& stage : make_plate()->stages()) ++(stage.used ? used : left_out);
   EXPECT_EQ(used, 13u);
-  EXPECT_EQ(left_out, 6u);  // Voronoi regions, triangulation, rigidity, masses, measurements, prior
+  EXPECT_EQ(left_out, 7u);  // Voronoi regions, triangulation, rigidity, masses, elements, measurements, prior
 }
 
 TEST(Stages, FactorizeOncePerSupportGroup) {

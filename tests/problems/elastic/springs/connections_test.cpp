@@ -114,7 +114,7 @@ TEST_P(Triangulated, NetsStayInTheBodyAndCarryItsEnergy) {
       const Vector &a = net->net().nodes[t[0]], &b = net->net().nodes[t[1]], &c = net->net().nodes[t[2]];
       area += 0.5 * ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]));
     }
-    const std::vector<double> k = area_stiffness(net->net(), {.young = 2.0});
+    const std::vector<double> k = area_stiffness(net->net(), Material{.young = 2.0});
     for (std::size_t e = 0; e < k.size(); ++e) {
       EXPECT_GT(k[e], 0.0);
       sum += k[e] * net->net().springs[e].length * net->net().springs[e].length;
