@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The only file that includes CGAL. It is compiled with CGAL's -frounding-math, which its interval arithmetic needs and
-// which nothing else here should be slowed down by.
+// Includes CGAL, as does finite_elements/cgal_mesh.cpp, and nothing else. It is compiled with CGAL's -frounding-math,
+// which its interval arithmetic needs and which nothing else here should be slowed down by.
 #include <algorithm>
 #include <cmath>
 #include <numeric>

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+/// Displacements at given places, on meshes refined until they are known well enough, and how well they are known.
+///
+/// A mesh M, graded by whoever makes it, is refined regularly to M' and M''. Halved everywhere, smooth parts of the
+/// error fall by 8 or more, and what is left of a singular place by 2^{2λ} ≥ 2, so the differences of the three
+/// answers tell both. With q the observed ratio of a load's differences, taken as at most `kLargestRatio`, the error of
+/// M'' is estimated at each wanted place as
+///
+///   e(x) = safety · max(|u''(x) − u'(x)|, smear · max_x |u'' − u'|) / (q − 1)
+///
+/// The displacements of M'' themselves are returned: extrapolated ones would be better by an amount that nobody knows.
+/// When the estimate is above the tolerance, a finer M is made, of a spacing that the estimate asks for.
+///
+/// Units    metres.
+/// Cost     a plane body with two holes and two regions under four support groups: see docs/formulation/finite_elements.md.
+
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "finite_elements/mesh.h"
+#include "finite_elements/problem.h"
+#include "finite_elements/solution.h"
+
+namespace nodal::elastic::finite_elements {
+
+/// Makes a mesh whose edges are as long as `spacing` away from singular places.
+using MeshMaker = std::function<Mesh(double spacing)>;
+
+struct ConvergeSettings {
+  double spacing = 0.0;      ///< of the first mesh
+  double tolerance = 1e-4;   ///< of displacements at the wanted places, relative to each load's largest
+  std::size_t unknown_limit = 1'000'000;
+  double factor_bytes_limit = 1e9;
+};
+
+struct LoadResult {
+  std::vector<Vector> displacements;  ///< [wanted]
+  std::vector<double> errors;         ///< [wanted] estimated |u − u_exact|, metres
+  double largest = 0.0;               ///< largest |u| at the wanted places, metres
+  double error = 0.0;                 ///< the largest of `errors` over `largest`
+  double ratio = 0.0;                 ///< q
+  double borne_by_places = 0.0;       ///< see LoadSolution
+};
+
+struct ConvergeResult {
+  std::vector<LoadResult> loads;  ///< those of the first group, then those of the second …
+  bool converged = false;         ///< every load's error is at most the tolerance
+  std::string limit = {};         ///< why not, in words: what the next mesh would have needed
+  Mesh mesh;                      ///< the finest, and what was found on it
+  Solution solution;
+  double spacing = 0.0;           ///< of the coarsest of the last meshes, halved twice for the finest
+  std::size_t meshes = 0;         ///< solved on, all told
+  double seconds = 0.0;           ///< meshes, orderings, factorizations and all
+  double farthest_outside = 0.0;  ///< how far outside of the mesh a wanted place was, metres
+};
+
+[[nodiscard]] ConvergeResult converge(const MeshMaker& make, const Problem& problem, const std::vector<Vector>& wanted,
+                                      const ConvergeSettings& settings);
+
+}  // namespace nodal::elastic::finite_elements

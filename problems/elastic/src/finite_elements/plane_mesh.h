@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+/// Meshes of a polygon with holes, by CGAL: constrained Delaunay triangulations, refined until no angle is below 20.6°
+/// (but where the polygon itself or the interfaces are sharper) and no triangle longer than the size wanted there.
+///
+/// cgal_mesh.cpp does the work; a build without CGAL compiles absent_mesh.cpp instead, where plane_mesh throws
+/// InputError with what to install. Same input, same mesh.
+///
+/// Units    metres.
+/// Errors   Refusal for a mesh of more than `cell_limit` triangles, with where they are crowded.
+/// Cost     some 4 µs per triangle.
+
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+#include <nodal/elastic/point.h>
+
+#include "finite_elements/mesh.h"
+
+namespace nodal::elastic::finite_elements {
+
+/// A closed polygon: the outline counterclockwise, holes clockwise. Every vertex becomes a vertex of the mesh, and
+/// side k, from vertex k to the next, gives its label to the mesh's sides on it.
+struct LabelledRing {
+  plane::Ring points;
+  std::vector<std::size_t> labels;  ///< [points]
+};
+
+struct Segment {
+  plane::Point first{}, second{};
+};
+
+struct PlaneBody {
+  std::vector<LabelledRing> rings;  ///< [0] the outline; simple and disjoint
+  /// What cells must not cross: they may cross the rings and each other, leave the body, lie on its sides and repeat
+  /// each other. Within `tolerance` of a vertex they are moved there, and along a ring's side left out.
+  std::vector<Segment> interfaces = {};
+  std::vector<plane::Point> vertices = {};  ///< further places, inside the body, that must be vertices
+  std::function<std::size_t(const Vector&)> region = {};  ///< of a cell's centre; 0 everywhere without it
+  /// Where the solution is singular: corners of more than 180°, ends of supports, interfaces' ends and crossings.
+  std::vector<plane::Point> graded = {};
+  double tolerance = 0.0;  ///< of interfaces; 0: 1e-6 of the body's size
+  std::size_t cell_limit = 1'000'000;
+};
+
+/// An edge may be spacing · min(1, (d/R)^β) long, d the distance of its triangle from the nearest graded place,
+/// R = kGradingReach of the body's size. Triangles at such a place are then R·(spacing/R)^{1/(1−β)} long: quadratic elements converge
+/// there as fast as elsewhere for displacements that grow like d^λ, λ > 1/2.
+inline constexpr double kGrading = 0.75;  // β
+inline constexpr double kGradingReach = 0.5;
+
+[[nodiscard]] Mesh plane_mesh(const PlaneBody& body, double spacing);
+
+/// Whether this build can.
+[[nodiscard]] bool plane_meshes_available() noexcept;
+
+}  // namespace nodal::elastic::finite_elements
