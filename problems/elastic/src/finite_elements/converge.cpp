@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "finite_elements/converge.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include <nodal/error.h>
+
+#include "finite_elements/locator.h"
+
+namespace nodal::elastic::finite_elements {
+
+namespace {
+
+constexpr double kSafety = 2.0;
+constexpr double kLargestRatio = 8.0;   // of quadratic elements where the solution is smooth
+constexpr double kSmallestRatio = 1.5;  // less is no convergence
+constexpr double kAssumedRatio = 2.0;   // with two meshes alone
+constexpr double kSmear = 0.1;          // a place's difference may be small by chance
+constexpr double kRounding = 1e-10;     // of the largest displacement, whatever the differences say
+constexpr double kAim = 0.5;            // share of the tolerance that the next meshes aim at
+constexpr double kSmallestStep = 0.25, kLargestStep = 0.8;  // of the spacing, from meshes to the next ones
+
+using Displacements = std::vector<std::vector<Vector>>;  // [loads][wanted]
+
+double largest_of(const std::vector<Vector>& vectors) {
+  double largest = 0.0;
+  for (const Vector& v : vectors) largest = std::max(largest, norm(v));
+  return largest;
+}
+
+std::vector<double> differences(const std::vector<Vector>& a, const std::vector<Vector>& b) {
+  std::vector<double> lengths;
+  for (std::size_t i = 0; i < a.size(); ++i) lengths.push_back(distance(a[i], b[i]));
+  return lengths;
+}
+
+double largest_of(const std::vector<double>& numbers) {
+  return numbers.empty() ? 0.0 : *std::ranges::max_element(numbers);
+}
+
+// A mesh and those refined from it, with what was found on each.
+class Family {
+ public:
+  Family(Mesh mesh, const std::vector<Vector>& wanted) : mesh_(std::move(mesh)), wanted_(wanted) {
+    const Locator locator(mesh_);
+    for (const Vector& place : wanted) {
+      locations_.push_back(locator.locate(place));
+      outside_ = std::max(outside_, Locator::distance(mesh_, locations_.back()));
+    }
+  }
+
+  void solve(const Problem& problem, double factor_bytes_limit) {
+    solution_ = finite_elements::solve(mesh_, problem, factor_bytes_limit);
+    answers_.emplace_back();
+    for (const LoadSolution& load : solution_.loads) {
+      std::vector<Vector>& at = answers_.back().emplace_back();
+      for (const Location& location : locations_) at.push_back(interpolated(mesh_, location, load.displacement));
+    }
+  }
+
+  void refine() {
+    mesh_ = refined(mesh_);
+    for (std::size_t i = 0; i < locations_.size(); ++i) locations_[i] = descended(mesh_, locations_[i], wanted_[i]);
+  }
+
+  // How much the next refinement needs, by how much this one did.
+  double next_unknowns() const {
+    return static_cast<double>(solution_.unknowns * children_per_cell(mesh_.dimension));
+  }
+  double next_factor_bytes() const {  // n log n in the plane, n^{4/3} in space, and some more
+    constexpr std::array<double, 4> kGrowth = {0.0, 0.0, 5.0, 16.0};
+    return solution_.factor_bytes * kGrowth[mesh_.dimension];
+  }
+
+  std::size_t solved() const { return answers_.size(); }
+  const Solution& solution() const { return solution_; }
+  const Mesh& mesh() const { return mesh_; }
+  Mesh take_mesh() { return std::move(mesh_); }
+  Solution take_solution() { return std::move(solution_); }
+  double outside() const { return outside_; }
+
+  LoadResult result(std::size_t load) const;
+
+ private:
+  Mesh mesh_;
+  const std::vector<Vector>& wanted_;
+  std::vector<Location> locations_;
+  double outside_ = 0.0;
+  Solution solution_;
+  std::vector<Displacements> answers_;  // coarsest first
+};
+
+LoadResult Family::result(std::size_t load) const {
+  const std::size_t last = answers_.size() - 1;
+  LoadResult result;
+  result.displacements = answers_[last][load];
+  result.largest = largest_of(result.displacements);
+  result.borne_by_places = solution_.loads[load].borne_by_places;
+  std::vector<double> change = differences(answers_[last][load], answers_[last - 1][load]);
+  const double most = largest_of(change);
+  result.ratio = kAssumedRatio;
+  if (last > 1) {
+    const double before = largest_of(differences(answers_[last - 1][load], answers_[last - 2][load]));
+    result.ratio = std::clamp(most > 0.0 ? before / most : kLargestRatio, kSmallestRatio, kLargestRatio);
+  }
+  const double factor = (last > 1 ? kSafety : 1.0) / (result.ratio - 1.0);
+  for (const double at : change)
+    result.errors.push_back(factor * std::max(at, kSmear * most) + kRounding * result.largest);
+  result.error = result.largest > 0.0 ? largest_of(result.errors) / result.largest : 0.0;
+  return result;
+}
+
+class Converging {
+ public:
+  Converging(const MeshMaker& make, const Problem& problem, const std::vector<Vector>& wanted,
+             const ConvergeSettings& settings)
+      : make_(make), problem_(problem), wanted_(wanted), settings_(settings) {}
+
+  ConvergeResult run() {
+    const auto begin = std::chrono::steady_clock::now();
+    double spacing = settings_.spacing;
+    while (!round(spacing)) spacing *= next_step();
+    result_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    return std::move(result_);
+  }
+
+ private:
+  // One mesh and its refinements; true when that is the end.
+  bool round(double spacing) {
+    Family family(make_(spacing), wanted_);
+    solve(family);
+    while (family.solved() < 3 && !too_large(family.next_unknowns(), family.next_factor_bytes())) {
+      family.refine();
+      solve(family);
+      keep(family, spacing);
+      if (result_.converged) break;
+    }
+    if (family.solved() < 2) throw Refusal("the coarsest finite-element mesh leaves no room to refine it: " + result_.limit);
+    const bool done = result_.converged || family.solved() < 3 || !next_fits(family);
+    if (done) {
+      result_.mesh = family.take_mesh();
+      result_.solution = family.take_solution();
+    }
+    return done;
+  }
+
+  void solve(Family& family) {
+    family.solve(problem_, 2.0 * settings_.factor_bytes_limit);
+    ++result_.meshes;
+  }
+
+  void keep(const Family& family, double spacing) {
+    result_.loads.clear();
+    for (std::size_t load = 0; load < family.solution().loads.size(); ++load)
+      result_.loads.push_back(family.result(load));
+    result_.converged = error() <= settings_.tolerance;
+    result_.spacing = spacing;
+    result_.farthest_outside = family.outside();
+  }
+
+  double error() const {
+    double largest = 0.0;
+    for (const LoadResult& load : result_.loads) largest = std::max(largest, load.error);
+    return largest;
+  }
+
+  double next_step() const {
+    return std::clamp(std::cbrt(kAim * settings_.tolerance / error()), kSmallestStep, kLargestStep);
+  }
+
+  // Whether finer meshes of their own are within the limits.
+  bool next_fits(const Family& family) {
+    const auto dimension = static_cast<double>(family.mesh().dimension);
+    const double growth = std::pow(1.0 / next_step(), dimension);
+    return !too_large(growth * static_cast<double>(family.solution().unknowns),
+                      std::pow(growth, dimension / 2.0) * family.solution().factor_bytes);
+  }
+
+  bool too_large(double unknowns, double factor_bytes) {
+    if (unknowns <= static_cast<double>(settings_.unknown_limit) && factor_bytes <= settings_.factor_bytes_limit)
+      return false;
+    result_.limit = fmt::format("a finer mesh would have some {:.2g} unknowns, of at most {:.2g}, and a factor of {:.2g} "
+                                "MB, of at most {:.2g} MB",
+                                unknowns, static_cast<double>(settings_.unknown_limit), 1e-6 * factor_bytes,
+                                1e-6 * settings_.factor_bytes_limit);
+    return true;
+  }
+
+  const MeshMaker& make_;
+  const Problem& problem_;
+  const std::vector<Vector>& wanted_;
+  const ConvergeSettings& settings_;
+  ConvergeResult result_;
+};
+
+}  // namespace
+
+ConvergeResult converge(const MeshMaker& make, const Problem& problem, const std::vector<Vector>& wanted,
+                        const ConvergeSettings& settings) {
+  if (!(settings.spacing > 0.0) || !(settings.tolerance > 0.0) || wanted.empty())
+    throw std::invalid_argument("finite_elements::converge: a spacing, a tolerance and wanted places are needed");
+  return Converging(make, problem, wanted, settings).run();
+}
+
+}  // namespace nodal::elastic::finite_elements
