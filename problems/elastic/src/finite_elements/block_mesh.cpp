@@ -61,7 +61,8 @@ class Builder {
   std::size_t gaps(std::size_t axis) const { return planes_[axis].size() - 1; }
 
   void require_few() const {
-    const double cells = 6.0 * static_cast<double>(gaps(0)) * static_cast<double>(gaps(1)) * static_cast<double>(gaps(2));
+    const double cells =
+        6.0 * static_cast<double>(gaps(0)) * static_cast<double>(gaps(1)) * static_cast<double>(gaps(2));
     if (cells <= static_cast<double>(block_.cell_limit)) return;
     throw Refusal(fmt::format("{} × {} × {} cells of a box make {:.3g} tetrahedra, of at most {}", gaps(0), gaps(1),
                               gaps(2), cells, block_.cell_limit));
@@ -74,9 +75,7 @@ class Builder {
         for (std::size_t x = 0; x < gaps(0); ++x) visit(Index{x, y, z});
   }
 
-  std::size_t vertex(const Index& at) const {
-    return (at[2] * planes_[1].size() + at[1]) * planes_[0].size() + at[0];
-  }
+  std::size_t vertex(const Index& at) const { return (at[2] * planes_[1].size() + at[1]) * planes_[0].size() + at[0]; }
 
   // A tetrahedron for every order in which the three axes lead from the low corner to the high one.
   void append_cell(const Index& low) {

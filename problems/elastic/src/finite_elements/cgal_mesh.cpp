@@ -60,9 +60,9 @@ class Criteria : public virtual CGAL::Delaunay_mesh_criteria_2<Triangulation> {
       const auto& p = face->vertex(0)->point();
       const auto& q = face->vertex(1)->point();
       const auto& r = face->vertex(2)->point();
-      const double longest = std::max({CGAL::to_double(CGAL::squared_distance(p, q)),
-                                       CGAL::to_double(CGAL::squared_distance(q, r)),
-                                       CGAL::to_double(CGAL::squared_distance(r, p))});
+      const double longest =
+          std::max({CGAL::to_double(CGAL::squared_distance(p, q)), CGAL::to_double(CGAL::squared_distance(q, r)),
+                    CGAL::to_double(CGAL::squared_distance(r, p))});
       const double size = size_.at((p.x() + q.x() + r.x()) / 3.0, (p.y() + q.y() + r.y()) / 3.0);
       const double excess = longest / (size * size);
       const auto shape = Base::Is_bad::operator()(face, quality);
@@ -81,8 +81,7 @@ class Criteria : public virtual CGAL::Delaunay_mesh_criteria_2<Triangulation> {
 };
 
 double area_of(const Face& face) {
-  return CGAL::to_double(
-      CGAL::area(face->vertex(0)->point(), face->vertex(1)->point(), face->vertex(2)->point()));
+  return CGAL::to_double(CGAL::area(face->vertex(0)->point(), face->vertex(1)->point(), face->vertex(2)->point()));
 }
 
 plane::Point centre_of(const Face& face) {
@@ -143,9 +142,10 @@ Triangulation triangulated(const PlaneGraph& graph) {
   for (const Face face : made.finite_face_handles())
     if (face->is_in_domain() && (smallest == Face() || area_of(face) < area_of(smallest))) smallest = face;
   const plane::Point at = centre_of(smallest);
-  throw Refusal(fmt::format("a finite-element mesh of the body would have more than {} triangles; the smallest are at "
-                            "({:.6g}, {:.6g}), where two borders or interfaces come close or meet in a sharp angle",
-                            limit, at[0], at[1]));
+  throw Refusal(
+      fmt::format("a finite-element mesh of the body would have more than {} triangles; the smallest are at "
+                  "({:.6g}, {:.6g}), where two borders or interfaces come close or meet in a sharp angle",
+                  limit, at[0], at[1]));
 }
 
 void refine(Triangulation& made, const SizeField& size, std::size_t cell_limit) {

@@ -17,12 +17,12 @@ namespace nodal::elastic::finite_elements {
 namespace {
 
 constexpr double kSafety = 2.0;
-constexpr double kLargestRatio = 8.0;   // of quadratic elements where the solution is smooth
-constexpr double kSmallestRatio = 1.5;  // less is no convergence
-constexpr double kAssumedRatio = 2.0;   // with two meshes alone
-constexpr double kSmear = 0.1;          // a place's difference may be small by chance
-constexpr double kRounding = 1e-10;     // of the largest displacement, whatever the differences say
-constexpr double kAim = 0.5;            // share of the tolerance that the next meshes aim at
+constexpr double kLargestRatio = 8.0;                       // of quadratic elements where the solution is smooth
+constexpr double kSmallestRatio = 1.5;                      // less is no convergence
+constexpr double kAssumedRatio = 2.0;                       // with two meshes alone
+constexpr double kSmear = 0.1;                              // a place's difference may be small by chance
+constexpr double kRounding = 1e-10;                         // of the largest displacement, whatever the differences say
+constexpr double kAim = 0.5;                                // share of the tolerance that the next meshes aim at
 constexpr double kSmallestStep = 0.25, kLargestStep = 0.8;  // of the spacing, from meshes to the next ones
 
 using Displacements = std::vector<std::vector<Vector>>;  // [loads][wanted]
@@ -69,9 +69,7 @@ class Family {
   }
 
   // How much the next refinement needs, by how much this one did.
-  double next_unknowns() const {
-    return static_cast<double>(solution_.unknowns * children_per_cell(mesh_.dimension));
-  }
+  double next_unknowns() const { return static_cast<double>(solution_.unknowns * children_per_cell(mesh_.dimension)); }
   double next_factor_bytes() const {  // n log n in the plane, n^{4/3} in space, and some more
     constexpr std::array<double, 4> kGrowth = {0.0, 0.0, 5.0, 16.0};
     return solution_.factor_bytes * kGrowth[mesh_.dimension];
@@ -140,7 +138,8 @@ class Converging {
       keep(family, spacing);
       if (result_.converged) break;
     }
-    if (family.solved() < 2) throw Refusal("the coarsest finite-element mesh leaves no room to refine it: " + result_.limit);
+    if (family.solved() < 2)
+      throw Refusal("the coarsest finite-element mesh leaves no room to refine it: " + result_.limit);
     const bool done = result_.converged || family.solved() < 3 || !next_fits(family);
     if (done) {
       result_.mesh = family.take_mesh();
@@ -184,10 +183,11 @@ class Converging {
   bool too_large(double unknowns, double factor_bytes) {
     if (unknowns <= static_cast<double>(settings_.unknown_limit) && factor_bytes <= settings_.factor_bytes_limit)
       return false;
-    result_.limit = fmt::format("a finer mesh would have some {:.2g} unknowns, of at most {:.2g}, and a factor of {:.2g} "
-                                "MB, of at most {:.2g} MB",
-                                unknowns, static_cast<double>(settings_.unknown_limit), 1e-6 * factor_bytes,
-                                1e-6 * settings_.factor_bytes_limit);
+    result_.limit = fmt::format(
+        "a finer mesh would have some {:.2g} unknowns, of at most {:.2g}, and a factor of {:.2g} "
+        "MB, of at most {:.2g} MB",
+        unknowns, static_cast<double>(settings_.unknown_limit), 1e-6 * factor_bytes,
+        1e-6 * settings_.factor_bytes_limit);
     return true;
   }
 

@@ -15,7 +15,8 @@
 /// estimate is above the tolerance, a finer M is made, of a spacing that the estimate asks for.
 ///
 /// Units    metres.
-/// Cost     a plane body with two holes and two regions under four support groups: see docs/formulation/finite_elements.md.
+/// Cost     a plane body with two holes and two regions under four support groups: see
+/// docs/formulation/finite_elements.md.
 
 #include <cstddef>
 #include <functional>
@@ -32,8 +33,8 @@ namespace nodal::elastic::finite_elements {
 using MeshMaker = std::function<Mesh(double spacing)>;
 
 struct ConvergeSettings {
-  double spacing = 0.0;      ///< of the first mesh
-  double tolerance = 1e-4;   ///< of displacements at the wanted places, relative to each load's largest
+  double spacing = 0.0;     ///< of the first mesh
+  double tolerance = 1e-4;  ///< of displacements at the wanted places, relative to each load's largest
   std::size_t unknown_limit = 1'000'000;
   double factor_bytes_limit = 1e9;
 };

@@ -18,8 +18,10 @@ Strains<D> strain_of(const std::array<double, D>& gradient, std::size_t axis) {
   constexpr auto axes = strain_axes<D>();
   Strains<D> strain{};
   for (std::size_t s = 0; s < kStrains<D>; ++s) {
-    if (axes[s][0] == axis) strain[s] = gradient[axes[s][1]];
-    else if (axes[s][1] == axis) strain[s] = gradient[axes[s][0]];
+    if (axes[s][0] == axis)
+      strain[s] = gradient[axes[s][1]];
+    else if (axes[s][1] == axis)
+      strain[s] = gradient[axes[s][0]];
   }
   return strain;
 }
@@ -49,7 +51,8 @@ Elastic<D> elastic_of(const Compliance& compliance) {
   constexpr auto rows = compliance_rows<D>();
   Eigen::Matrix<double, n, n> s;
   for (int i = 0; i < n; ++i)
-    for (int j = 0; j < n; ++j) s(i, j) = compliance[rows[static_cast<std::size_t>(i)]][rows[static_cast<std::size_t>(j)]];
+    for (int j = 0; j < n; ++j)
+      s(i, j) = compliance[rows[static_cast<std::size_t>(i)]][rows[static_cast<std::size_t>(j)]];
   const Eigen::LLT<Eigen::Matrix<double, n, n>> factor(s);
   if (!(s.array().isFinite().all()) || factor.info() != Eigen::Success)
     throw Refusal("a region's material has a compliance that is not positive definite");

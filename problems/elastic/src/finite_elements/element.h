@@ -15,7 +15,7 @@
 namespace nodal::elastic::finite_elements {
 
 template <std::size_t D>
-inline constexpr std::size_t kStrains = D * (D + 1) / 2;
+inline constexpr std::size_t kStrains = D*(D + 1) / 2;
 
 /// Which two axes a strain is of.
 template <std::size_t D>
@@ -42,7 +42,7 @@ template <std::size_t D>
 
 /// ∫ Bᵀ D B over a cell, thickness 1: [node, axis][node, axis].
 template <std::size_t D>
-inline constexpr std::size_t kCellFreedoms = D * nodes_of_simplex(D);
+inline constexpr std::size_t kCellFreedoms = D* nodes_of_simplex(D);
 template <std::size_t D>
 using CellStiffness = std::array<std::array<double, kCellFreedoms<D>>, kCellFreedoms<D>>;
 template <std::size_t D>

@@ -31,7 +31,7 @@ Vector area_vector(const Mesh& mesh, std::size_t side) {
 // The traction at a place times the side's area.
 Vector pulled(const Traction& traction, const Vector& place, const Vector& area) {
   if (const auto* stress = std::get_if<StressField>(&traction.pull)) return stress->at(place) * area;
-  if (const auto* stress = std::get_if<StressAt>(&traction.pull)) return (*stress)(place) * area;
+  if (const auto* stress = std::get_if<StressAt>(&traction.pull)) return (*stress)(place)*area;
   const Vector& constant = std::get<Vector>(traction.pull);
   const double size = norm(area);
   return {size * constant[0], size * constant[1], size * constant[2]};

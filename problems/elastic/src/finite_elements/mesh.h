@@ -80,9 +80,7 @@ struct LinearMesh {
 [[nodiscard]] double measure(const Mesh& mesh, std::size_t cell);
 
 /// How many cells `refined` makes of one: 4 triangles, 8 tetrahedra.
-[[nodiscard]] constexpr std::size_t children_per_cell(std::size_t dimension) {
-  return std::size_t{1} << dimension;
-}
+[[nodiscard]] constexpr std::size_t children_per_cell(std::size_t dimension) { return std::size_t{1} << dimension; }
 
 /// Regular ("red") refinement: every edge is halved. A cell's children are children_per_cell successive cells, first
 /// those at its vertices; regions and labels are inherited, and the vertices of the refined mesh are the old nodes,

@@ -70,7 +70,8 @@ class Builder {
   Point on_side(const Point& p) const {
     for (std::size_t i = 0; i < sides_; ++i) {
       const Point &a = at(lines_[i].first), &b = at(lines_[i].last);
-      if (plane::distance_to_segment(p, a, b) <= tolerance_) return plane::at_share(a, b, plane::nearest_share(p, a, b));
+      if (plane::distance_to_segment(p, a, b) <= tolerance_)
+        return plane::at_share(a, b, plane::nearest_share(p, a, b));
     }
     return p;
   }

@@ -3,9 +3,9 @@
 
 /// The rings and interfaces of a plane body as a graph: places, and straight pieces that meet nowhere but in places.
 ///
-/// What rounding leaves apart is brought together here, so that a mesh has no reason for triangles as small as rounding:
-/// an interface's end or crossing within the tolerance of another place is that place, and pieces along a ring's side,
-/// outside of the body or given twice are left out. Rings don't move.
+/// What rounding leaves apart is brought together here, so that a mesh has no reason for triangles as small as
+/// rounding: an interface's end or crossing within the tolerance of another place is that place, and pieces along a
+/// ring's side, outside of the body or given twice are left out. Rings don't move.
 ///
 /// Cost     the number of interfaces times that of rings' sides and interfaces.
 

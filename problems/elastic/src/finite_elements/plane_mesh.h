@@ -15,6 +15,7 @@
 #include <functional>
 #include <vector>
 
+#include <nodal/elastic/body.h>
 #include <nodal/elastic/point.h>
 
 #include "finite_elements/mesh.h"
@@ -37,21 +38,27 @@ struct PlaneBody {
   /// What cells must not cross: they may cross the rings and each other, leave the body, lie on its sides and repeat
   /// each other. Within `tolerance` of a vertex they are moved there, and along a ring's side left out.
   std::vector<Segment> interfaces = {};
-  std::vector<plane::Point> vertices = {};  ///< further places, inside the body, that must be vertices
+  std::vector<plane::Point> vertices = {};                ///< further places, inside the body, that must be vertices
   std::function<std::size_t(const Vector&)> region = {};  ///< of a cell's centre; 0 everywhere without it
-  /// Where the solution is singular: corners of more than 180°, ends of supports, interfaces' ends and crossings.
+  /// Where the solution is singular: corners of more than 180°, ends of supports, singular_interface_places, and
+  /// corners where a traction along one side isn't met by the same shear on the other.
   std::vector<plane::Point> graded = {};
   double tolerance = 0.0;  ///< of interfaces; 0: 1e-6 of the body's size
   std::size_t cell_limit = 1'000'000;
 };
 
 /// An edge may be spacing · min(1, (d/R)^β) long, d the distance of its triangle from the nearest graded place,
-/// R = kGradingReach of the body's size. Triangles at such a place are then R·(spacing/R)^{1/(1−β)} long: quadratic elements converge
-/// there as fast as elsewhere for displacements that grow like d^λ, λ > 1/2.
+/// R = kGradingReach of the body's size. Triangles at such a place are then R·(spacing/R)^{1/(1−β)} long: quadratic
+/// elements converge there as fast as elsewhere for displacements that grow like d^λ, λ > 1/2.
 inline constexpr double kGrading = 0.75;  // β
 inline constexpr double kGradingReach = 0.5;
 
 [[nodiscard]] Mesh plane_mesh(const PlaneBody& body, double spacing);
+
+/// Where interfaces make singular places, for `graded`: where one meets the border or another one, ends within the
+/// body, or turns by more than `turn`. Needs no CGAL.
+[[nodiscard]] std::vector<plane::Point> singular_interface_places(const PlaneBody& body,
+                                                                  double turn = kDefaultCornerTurn);
 
 /// Whether this build can.
 [[nodiscard]] bool plane_meshes_available() noexcept;

@@ -36,8 +36,8 @@ struct Traction {
 };
 
 struct Load {
-  std::vector<Traction> tractions = {};   ///< of one label they add
-  std::vector<Vector> body_force = {};    ///< by region [N/m³]; empty: none
+  std::vector<Traction> tractions = {};  ///< of one label they add
+  std::vector<Vector> body_force = {};   ///< by region [N/m³]; empty: none
 };
 
 /// A displacement that is prescribed along an axis: of all nodes on the sides with a label, or of the vertex at a

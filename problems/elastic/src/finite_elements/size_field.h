@@ -19,8 +19,7 @@ struct SizeField {
 
   [[nodiscard]] double at(double x, double y) const {
     double nearest = std::numeric_limits<double>::infinity();
-    for (const plane::Point& p : graded)
-      nearest = std::min(nearest, (x - p[0]) * (x - p[0]) + (y - p[1]) * (y - p[1]));
+    for (const plane::Point& p : graded) nearest = std::min(nearest, (x - p[0]) * (x - p[0]) + (y - p[1]) * (y - p[1]));
     const double share = nearest / (reach * reach);
     return share < 1.0 ? spacing * std::pow(share, 0.5 * power) : spacing;
   }

@@ -6,7 +6,8 @@
 /// Errors   Refusal: supports that leave the body free to move; a place that is held and no vertex; one freedom held at
 ///          two values; a compliance without inverse; memory beyond the limit (before it is taken).
 ///          std::invalid_argument: a region or label that isn't there.
-/// Cost     one ordering per mesh, one factorization per group; some 0.1 s and 100 MB for 100,000 unknowns in the plane.
+/// Cost     one ordering per mesh, one factorization per group; some 0.1 s and 100 MB for 100,000 unknowns in the
+/// plane.
 
 #include <cstddef>
 #include <limits>

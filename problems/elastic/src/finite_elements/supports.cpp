@@ -4,8 +4,8 @@
 #include <cmath>
 #include <stdexcept>
 
-#include <Eigen/Dense>
 #include <fmt/format.h>
+#include <Eigen/Dense>
 
 #include <nodal/error.h>
 

@@ -29,7 +29,10 @@ std::vector<int> nested_dissection(UpperTriangle& pattern) {
 
 struct LargeCholesky::Handles {
   Handles(UpperTriangle& upper, std::vector<int> given)
-      : common(Factorization::supernodal), order(std::move(given)), matrix(view_of(upper)), factor(nullptr, {common.get()}) {
+      : common(Factorization::supernodal),
+        order(std::move(given)),
+        matrix(view_of(upper)),
+        factor(nullptr, {common.get()}) {
     common->method[0].ordering = CHOLMOD_GIVEN;
     factor.reset(cholmod_analyze_p(&matrix, order.data(), nullptr, 0, common.get()));
     if (!factor) throw std::bad_alloc();
