@@ -19,12 +19,13 @@ namespace fs = std::filesystem;
 const fs::path kSources = fs::path(NODAL_SOURCE_DIR) / "problems/elastic/src";
 
 // What stands lower is included by what stands higher, never the other way round.
-const std::vector<std::string> kFloors = {"account",         "tables", "geometry",  "triangulation", "geometry/plane",
-                                          "geometry/space",  "net",    "material",  "points",        "import",
-                                          "springs",         "masses", "rigidity",  "loads",         "system/factor",
-                                          "finite_elements", "system", "lanes",     "parameters",    "displacements",
-                                          "reference", "starts",          "moves",  "objective", "export",        "show",
-                                          "problem",         "reduce", "read",      "battery",       ""};
+const std::vector<std::string> kFloors = {
+    "account",  "tables",     "geometry",      "triangulation",   "geometry/plane", "geometry/space",
+    "net",      "material",   "points",        "import",          "springs",        "masses",
+    "rigidity", "loads",      "system/factor", "finite_elements", "reference",      "system",
+    "lanes",    "parameters", "displacements", "starts",          "moves",          "objective",
+    "export",   "show",       "problem",       "reduce",          "read",           "battery",
+    ""};
 
 // Beside the floors' own geometry: readers, whose options differ, the tables of rules, and what writes or draws. Each
 // line is a place where plane and space part; fewer is better.

@@ -33,8 +33,9 @@ std::vector<plane::Point> singular_interface_places(const PlaneBody& body, doubl
   std::vector<plane::Point> singular;
   for (std::size_t at = 0; at < graph.places.size(); ++at) {
     const auto& around = neighbours[at];
-    const bool smooth = around.empty() || (around.size() == 2 && !on_border[at] &&
-                                           turn_at(graph.places[around[0]], graph.places[at], graph.places[around[1]]) <= turn);
+    const bool smooth =
+        around.empty() || (around.size() == 2 && !on_border[at] &&
+                           turn_at(graph.places[around[0]], graph.places[at], graph.places[around[1]]) <= turn);
     if (!smooth) singular.push_back(graph.places[at]);
   }
   return singular;

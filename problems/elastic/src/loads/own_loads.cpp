@@ -114,6 +114,7 @@ void add_traction(const Net& net, const BorderPiece& piece, const Vector& tracti
 BorderPull pull_of(const Options& table) {
   const std::string key = one_of(table, {"traction", "pressure", "stress"});
   BorderPull pull;
+  pull.local_thickness = true;
   if (key == "traction") {
     const std::vector<double> t = table.numbers(key);
     pull.traction = {t[0], t[1], 0.0};

@@ -182,7 +182,7 @@ MadeScene make_scene(const Options& options, const ProblemContext& context) {
   tell_of_outline(points, scene.net, account);
   read_masses(options.table("masses"), scene.net, account);
   References references(read_reference_choice(options.table("reference"), scene.net.dimension), scene.net,
-                        scene.material, account);
+                        scene.material, account, context.cache);
   read_loads(options, context, references, scene, account);
   require_memory(scene.net.nodes.size(), scene.loads.groups.size(), available_memory(), points.values().source,
                  scene.net.dimension);

@@ -1,17 +1,116 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reference/finite_element_answer.h"
 
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include <fmt/format.h>
+
 #include <nodal/error.h>
+
+#include "finite_elements/converge.h"
+#include "finite_elements/plane_mesh.h"
+#include "reference/body_mesh.h"
+#include "triangulation/triangulation.h"
 
 namespace nodal::elastic {
 
-std::string why_no_finite_elements(const PlacedLoad&, const Net&) {
-  return "a closed form is known for the basic loads only";
+namespace {
+
+// A place of a continuum that bears a force gives way without end; what balances leaves rounding.
+constexpr double kBorneByRounding = 1e-6;
+
+// Which load is the how-manieth of which group.
+struct Grouped {
+  finite_elements::Problem problem;
+  std::vector<std::size_t> order;  ///< loads by their groups
+};
+
+bool same_supports(const BodyLoad& a, const BodyLoad& b) { return a.holds == b.holds && a.points == b.points; }
+
+Grouped grouped(const BodyMesh& body, const std::vector<const PlacedLoad*>& loads) {
+  Grouped all{{body.regions(), {}}, {}};
+  std::vector<bool> done(loads.size(), false);
+  for (std::size_t first = 0; first < loads.size(); ++first) {
+    if (done[first]) continue;
+    finite_elements::Group& group = all.problem.groups.emplace_back();
+    group.prescribed = body.prescribed(loads[first]->body);
+    for (std::size_t l = first; l < loads.size(); ++l) {
+      if (done[l] || !same_supports(loads[l]->body, loads[first]->body)) continue;
+      group.loads.push_back(body.load(loads[l]->body));
+      all.order.push_back(l);
+      done[l] = true;
+    }
+  }
+  return all;
 }
 
-FiniteElementAnswer answer_by_finite_elements(const Net&, const MaterialField&, const std::vector<const PlacedLoad*>&,
-                                              double) {
-  throw Refusal("there are no finite elements yet");
+void require_nothing_borne(const finite_elements::LoadResult& result, const PlacedLoad& load) {
+  if (result.borne_by_places <= kBorneByRounding) return;
+  throw Refusal(fmt::format(
+      "in load '{}' nodes that are held singly bear {:.2g} of the forces, and a point of a continuum that bears a "
+      "force "
+      "gives way without end; hold a piece of the border, two neighbours on it at least, or give displacements, as "
+      "reference = {{ file = \"displacements.csv\" }}",
+      load.name, result.borne_by_places));
+}
+
+FiniteElementAnswer::Load spread(const finite_elements::LoadResult& result, const Freedoms& freedoms) {
+  FiniteElementAnswer::Load load{std::vector<double>(freedoms.size()), std::vector<double>(freedoms.size())};
+  const double share = 1.0 / std::sqrt(static_cast<double>(freedoms.dimension));  // of |error| along an axis
+  for (std::size_t f = 0; f < freedoms.size(); ++f) {
+    load.displacement[f] = result.displacements[freedoms.node_of(f)][freedoms.axis_of(f)];
+    load.uncertainty[f] = share * result.errors[freedoms.node_of(f)];
+  }
+  return load;
+}
+
+}  // namespace
+
+std::string why_no_finite_elements(const PlacedLoad& load, const Net& net) {
+  if (!net.body.has_outline() && !net.body.box)
+    return "finite elements need a body, and only nodes are known here; describe it, as by body = { size = [4, 4] }";
+  if (load.body.forces_on_nodes)
+    return fmt::format(
+        "load '{}' has forces on nodes, and a continuum gives way without end to a force on a point; pull "
+        "at a piece of the border, as by tractions = [{{ edge = \"right\", traction = [1, 0] }}]",
+        load.name);
+  if (!net.body.box && !load.held_as_reference.empty())
+    return fmt::format("load '{}' holds nodes as measured, which is known of measured references only", load.name);
+  if (!net.body.box && !finite_elements::plane_meshes_available())
+    return "finite elements need " + triangulation_library();
+  return {};
+}
+
+FiniteElementAnswer answer_by_finite_elements(const Net& net, const MaterialField& material,
+                                              const std::vector<const PlacedLoad*>& loads, double tolerance) {
+  for (const PlacedLoad* load : loads)
+    if (const std::string why = why_no_finite_elements(*load, net); !why.empty()) throw Refusal(why);
+  const std::unique_ptr<BodyMesh> body = mesh_of_body(net, material, loads);
+  const Grouped asked = grouped(*body, loads);
+  finite_elements::ConvergeSettings settings;
+  settings.spacing = body->coarsest();
+  settings.tolerance = tolerance;
+  const finite_elements::ConvergeResult found = finite_elements::converge(
+      [&](double spacing) { return body->mesh(spacing); }, asked.problem, body->wanted(), settings);
+  FiniteElementAnswer answer;
+  answer.loads.resize(loads.size());
+  answer.summary.errors.resize(loads.size());
+  for (std::size_t k = 0; k < asked.order.size(); ++k) {
+    const std::size_t l = asked.order[k];
+    require_nothing_borne(found.loads[k], *loads[l]);
+    answer.loads[l] = spread(found.loads[k], net.freedoms());
+    answer.summary.errors[l] = found.loads[k].error;
+  }
+  answer.summary.elements = body->elements();
+  answer.summary.meshes = found.meshes;
+  answer.summary.cells = found.mesh.cell_count();
+  answer.summary.unknowns = found.solution.unknowns;
+  answer.summary.seconds = found.seconds;
+  answer.summary.converged = found.converged;
+  answer.summary.limit = found.limit;
+  return answer;
 }
 
 }  // namespace nodal::elastic

@@ -26,9 +26,9 @@ struct FiniteElementAnswer {
     std::vector<double> displacement, uncertainty;
   };
   struct Summary {
-    std::vector<std::string> names;
-    std::vector<double> errors;  ///< estimated, of each load, relative to its largest displacement
-    std::string elements = {};   ///< "triangles", "tetrahedra"
+    std::vector<std::string> names = {};  ///< of the loads, for whoever tells of it
+    std::vector<double> errors;           ///< estimated, of each load, relative to its largest displacement
+    std::string elements = {};            ///< "triangles", "tetrahedra"
     std::size_t meshes = 0, cells = 0, unknowns = 0;
     double seconds = 0.0;
     bool converged = true;   ///< within the tolerance

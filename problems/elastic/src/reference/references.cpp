@@ -7,6 +7,7 @@
 #include <fmt/ranges.h>
 
 #include "loads/load_set_builder.h"
+#include "reference/kept_answer.h"
 
 namespace nodal::elastic {
 
@@ -80,11 +81,24 @@ std::string References::no_answer_for(const std::vector<PlacedLoad>& loads) cons
   return {};
 }
 
+FiniteElementAnswer References::answer_kept_or_made(const std::vector<const PlacedLoad*>& loads) const {
+  const std::string origin = origin_of_answer(net_, material_, loads, choice_.tolerance);
+  std::optional<FiniteElementAnswer> answer;
+  if (const std::optional<std::string> kept = cache_.find(origin))
+    answer = answer_in(*kept, loads.size(), net_.freedoms().size());
+  if (!answer) {
+    answer = answer_by_finite_elements(net_, material_, loads, choice_.tolerance);
+    cache_.keep(origin, to_text(*answer));
+  }
+  for (const PlacedLoad* load : loads) answer->summary.names.push_back(load->name);
+  return std::move(*answer);
+}
+
 void References::answer_by_elements(const std::vector<Answered*>& loads) {
   if (loads.empty()) return;
   std::vector<const PlacedLoad*> asked;
   for (const Answered* load : loads) asked.push_back(&load->load);
-  FiniteElementAnswer answer = answer_by_finite_elements(net_, material_, asked, choice_.tolerance);
+  FiniteElementAnswer answer = answer_kept_or_made(asked);
   for (std::size_t l = 0; l < loads.size(); ++l) {
     loads[l]->reference = std::move(answer.loads[l].displacement);
     loads[l]->uncertainty = std::move(answer.loads[l].uncertainty);

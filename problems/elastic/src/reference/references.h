@@ -15,6 +15,7 @@
 #include <nodal/elastic/loads.h>
 #include <nodal/elastic/material_field.h>
 #include <nodal/error.h>
+#include <nodal/result_cache.h>
 
 #include "loads/placed_load.h"
 #include "reference/finite_element_answer.h"
@@ -34,8 +35,9 @@ struct ReferenceChoice {
 class References {
  public:
   /// All must outlive it.
-  References(ReferenceChoice choice, const Net& net, const MaterialField& material, Account& account)
-      : choice_(std::move(choice)), net_(net), material_(material), account_(account) {}
+  References(ReferenceChoice choice, const Net& net, const MaterialField& material, Account& account,
+             ResultCache cache = {})
+      : choice_(std::move(choice)), net_(net), material_(material), account_(account), cache_(std::move(cache)) {}
 
   /// Loads of the toolkit's own. Refusal as `place`, and where none of the methods that may be taken has an answer.
   [[nodiscard]] LoadSet of(const std::vector<LoadSpec>& specs);
@@ -58,12 +60,14 @@ class References {
   };
 
   void answer_by_elements(const std::vector<Answered*>& loads);
+  FiniteElementAnswer answer_kept_or_made(const std::vector<const PlacedLoad*>& loads) const;
   LoadSet finish(std::vector<Answered> loads);
 
   ReferenceChoice choice_;
   const Net& net_;
   const MaterialField& material_;
   Account& account_;
+  ResultCache cache_;                                 // of finite elements' answers
   bool analytic_ = false;                             // some load, of all calls
   std::vector<FiniteElementAnswer::Summary> meshed_;  // of all calls
 };
