@@ -197,13 +197,34 @@ std::optional<std::string> validated_note(const ProblemTable& table) {
                      fmt::join(table.unseen->chosen_by, ", "), fmt::join(table.unseen->reported, ", "));
 }
 
+// Who fits better than anybody knows what is fitted.
+std::optional<std::string> floor_note(const ProblemReport& problem) {
+  for (const FindingDescription& finding : problem.findings) {
+    if (!finding.floor) continue;
+    std::vector<std::string> below;
+    double floor = 0.0;
+    for (const OptimizerRow& row : problem.table.rows) {
+      const auto found = row.findings.find(finding.name);
+      if (found == row.findings.end() || !row.relative_error || row.relative_error->median >= found->second.median)
+        continue;
+      below.push_back(row.label);
+      floor = found->second.median;
+    }
+    if (!below.empty())
+      return fmt::format(
+          "Relative errors below {}, the {}, are no results, and differences between them say nothing: {}.",
+          figure_text(floor, 2), finding.title, fmt::join(below, ", "));
+  }
+  return std::nullopt;
+}
+
 std::vector<std::string> notes_of(const ProblemReport& problem) {
   const ProblemTable& table = problem.table;
   std::vector<std::string> notes;
   for (const std::string& note : problem.notes) notes.push_back(fmt::format("At the start: {}.", note));
   for (std::optional<std::string>& note :
        std::array{disturbed_note(table.rows), worse_unseen_note(table), risen_unseen_note(table),
-                  missing_unseen_note(table), validated_note(table)})
+                  missing_unseen_note(table), validated_note(table), floor_note(problem)})
     if (note) notes.push_back(std::move(*note));
   return notes;
 }

@@ -48,6 +48,8 @@ struct FindingDescription {
   std::string unit = {};   ///< "" for dimensionless
   std::string help = {};   ///< one sentence for a tooltip
   bool tabled = false;
+  bool floor =
+      false;  ///< of relative errors: one below it is no result, since what it is told against isn't known better
 };
 
 }  // namespace nodal

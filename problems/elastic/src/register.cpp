@@ -52,7 +52,12 @@ ProblemDescription describe_elastic() {
                        {.name = std::string(kStableStep),
                         .title = "stable step",
                         .unit = "s",
-                        .help = "explicit integration of the best point in time is stable below it, whatever holds"}},
+                        .help = "explicit integration of the best point in time is stable below it, whatever holds"},
+                       {.name = std::string(kReferenceError),
+                        .title = "reference error",
+                        .help = "how far off the reference displacements may be by the estimate of finite elements, as "
+                                "a relative error: one below it is no result",
+                        .floor = true}},
           .show_details = show::details_part,
           .too_costly_to_draw = show::drawing_refusal,
           .commands = {battery::check_command()},

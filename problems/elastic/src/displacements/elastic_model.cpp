@@ -19,6 +19,17 @@ double unit_of(const LoadSet& loads) {
   return std::isnormal(largest) ? std::ldexp(1.0, std::ilogb(largest)) : 1.0;
 }
 
+// Σ w u² over all loads, wherever it counts [m²].
+double squared_uncertainty(const Scene& scene) {
+  const Freedoms freedoms = scene.net.freedoms();
+  double squared = 0.0;
+  for (const LoadCase& load : scene.loads.loads)
+    for (std::size_t f = 0; f < load.uncertainty.size(); ++f)
+      squared += scene.weight_of(freedoms.node_of(f)) * scene.loads.groups[load.group].weight(f) * load.uncertainty[f] *
+                 load.uncertainty[f];
+  return squared;
+}
+
 }  // namespace
 
 ElasticModel::ElasticModel(Scene scene_of_problem)
@@ -56,6 +67,7 @@ ElasticModel::ElasticModel(Scene scene_of_problem)
   if (!std::isfinite(squared)) throw InputError("the reference displacement is not finite; check stress and young");
   reference_norm = std::sqrt(squared);
   inverse_reference_squared = 1.0 / squared;
+  reference_error = std::sqrt(squared_uncertainty(scene)) / (reference_norm * displacement_unit);
 }
 
 double ElasticModel::cost_error(double cost, double error_squared) const noexcept {

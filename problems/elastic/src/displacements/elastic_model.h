@@ -39,8 +39,9 @@ struct ElasticModel {
   double displacement_unit = 1.0;  ///< [m], a power of two: groups, and all that is computed in them, measure by it
   double reference_norm = 0.0;     ///< ‖u_ref‖_W over all loads [displacement_unit]
   double inverse_reference_squared = 0.0;
-  std::vector<double> reference_norms;      ///< by load: ‖u_ref,l‖_W [displacement_unit]
-  std::size_t residual_count = 0;           ///< free freedoms, summed over loads
+  double reference_error = 0.0;         ///< ‖uncertainty‖_W/‖u_ref‖_W: a relative error below it is no result
+  std::vector<double> reference_norms;  ///< by load: ‖u_ref,l‖_W [displacement_unit]
+  std::size_t residual_count = 0;       ///< free freedoms, summed over loads
   std::vector<std::size_t> first_residual;  ///< by load
 
  private:

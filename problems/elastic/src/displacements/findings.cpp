@@ -5,6 +5,8 @@
 #include <cmath>
 #include <string>
 
+#include "displacements/elastic_model.h"
+
 namespace nodal::elastic {
 
 double spread_of(std::span<const double> stiffness) {
@@ -24,10 +26,11 @@ std::optional<double> stable_step_of(const Net& net, std::span<const double> sti
   return 2.0 / std::sqrt(highest);
 }
 
-std::vector<Finding> findings_of(const Net& net, std::span<const double> stiffness) {
+std::vector<Finding> findings_of(const ElasticModel& model, std::span<const double> stiffness) {
   std::vector<Finding> findings = {{std::string(kSpread), spread_of(stiffness)}};
-  if (const std::optional<double> step = stable_step_of(net, stiffness))
+  if (const std::optional<double> step = stable_step_of(model.scene.net, stiffness))
     findings.push_back({std::string(kStableStep), *step});
+  if (model.reference_error > 0.0) findings.push_back({std::string(kReferenceError), model.reference_error});
   return findings;
 }
 

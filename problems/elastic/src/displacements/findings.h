@@ -15,8 +15,11 @@
 
 namespace nodal::elastic {
 
+struct ElasticModel;
+
 inline constexpr std::string_view kSpread = "spread";
 inline constexpr std::string_view kStableStep = "stable_step";
+inline constexpr std::string_view kReferenceError = "reference_error";
 
 /// k_max/k_min, the stiffest spring over the softest.
 [[nodiscard]] double spread_of(std::span<const double> stiffness);
@@ -25,7 +28,7 @@ inline constexpr std::string_view kStableStep = "stable_step";
 /// since no frequency of the net is higher, held or free. Nothing without masses, or where some node has none.
 [[nodiscard]] std::optional<double> stable_step_of(const Net& net, std::span<const double> stiffness);
 
-/// All of them that there are.
-[[nodiscard]] std::vector<Finding> findings_of(const Net& net, std::span<const double> stiffness);
+/// All of them that there are, the reference's error of the model's own loads among them.
+[[nodiscard]] std::vector<Finding> findings_of(const ElasticModel& model, std::span<const double> stiffness);
 
 }  // namespace nodal::elastic

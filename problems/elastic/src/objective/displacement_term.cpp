@@ -46,7 +46,7 @@ Evaluation DisplacementEvaluator::audit(const System& system) {
   health_ = full_->health();
   if (status != Status::ok) return {status, 0.0};
   solver_ = full_.get();
-  health_.findings = findings_of(model_.scene.net, system.stiffness);
+  health_.findings = findings_of(model_, system.stiffness);
   return {Status::ok, model_.cost(full_->squared())};
 }
 

@@ -137,6 +137,11 @@ std::optional<double> ElasticProblem::relative_error(double cost) const {
   if (!scene().has_reference) return std::nullopt;
   return std::sqrt(2.0 * cost);
 }
+std::optional<double> ElasticProblem::reference_error() const noexcept {
+  const double error = data_->model.reference_error;
+  return error > 0.0 ? std::optional(error) : std::nullopt;
+}
+
 double ElasticProblem::quality(double cost) const {
   return std::sqrt(2.0 * cost) * data_->model.reference_norm * data_->model.displacement_unit;
 }
@@ -169,7 +174,7 @@ State ElasticProblem::solve(std::span<const double> stiffness) const {
   state.quality = quality(cost);
   state.relative_error = relative_error(cost).value_or(0.0);
   if (data_->prior) state.prior = prior_share(cost, stiffness);
-  state.health.findings = findings_of(net(), stiffness);
+  state.health.findings = findings_of(data_->model, stiffness);
   state.loads = load_states(data_->model, evaluation, stiffness);
   if (data_->unseen) add_unseen(*data_->unseen, stiffness, state);
   return state;

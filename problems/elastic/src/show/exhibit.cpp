@@ -46,6 +46,18 @@ class SolvedSystem final : public ShownSystem {
   State state_;
 };
 
+// What is fitted better than the reference is known; empty where that isn't so.
+std::string below_reference_error(const ElasticProblem& problem, std::span<const double> stiffness) {
+  if (!problem.reference_error()) return {};
+  const State state = problem.solve(stiffness);
+  if (state.status != Status::ok || state.relative_error >= *problem.reference_error()) return {};
+  return fmt::format(
+      "the relative error, {:.2g}, is below the estimated error of the finite elements that it is told against, "
+      "{:.2g}: "
+      "it is no result; reference = {{ tolerance = … }} asks for finer ones",
+      state.relative_error, *problem.reference_error());
+}
+
 }  // namespace
 
 std::vector<double> ElasticExhibit::values(std::span<const double> x) const { return problem_.stiffness(x); }
@@ -64,8 +76,11 @@ std::unique_ptr<ShownSystem> ElasticExhibit::show(const std::string& label, std:
 std::vector<std::string> ElasticExhibit::notes() const { return problem_.account().findings(); }
 
 std::vector<std::string> ElasticExhibit::notes_at(std::span<const double> stiffness) const {
-  std::string text = describe(determine(problem_, stiffness), problem_);
-  return text.empty() ? std::vector<std::string>() : std::vector{std::move(text)};
+  std::vector<std::string> notes;
+  for (std::string note :
+       {describe(determine(problem_, stiffness), problem_), below_reference_error(problem_, stiffness)})
+    if (!note.empty()) notes.push_back(std::move(note));
+  return notes;
 }
 
 std::vector<std::string> ElasticExhibit::proposals() const { return propose(problem_); }

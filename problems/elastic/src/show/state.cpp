@@ -205,6 +205,10 @@ std::string compared_text(const ElasticProblem& problem, std::span<const double>
   text += unseen_text(problem, state);
   text += stable_step_text(problem, stiffness);
   text += accuracy_text(state.health);
+  if (problem.reference_error())
+    text +=
+        fmt::format("the reference, by finite elements, may be off by {:.2g}: a relative error below that is none\n",
+                    *problem.reference_error());
   text += fmt::format("{} ({})\n", at_bounds_text(problem.space(), coordinates_at(problem, stiffness)),
                       describe(problem.scene().stiffness_bounds));
   if (const std::string note = describe(determine(problem, stiffness), problem); !note.empty())

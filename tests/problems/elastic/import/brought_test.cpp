@@ -226,9 +226,10 @@ TEST_F(Brought, WhatIsWrongIsSaidWithItsPlace) {
   EXPECT_EQ(refusal("points = { file = \"nodes.csv\", counts = [3, 3] }\n"),
             "study.toml:5: 'counts' belongs to layout 'grid', and this one is 'file'");
   const std::string files = kFiles;
-  EXPECT_NE(
-      read(files.substr(0, files.find("reference")) + cases)->fit_refusal().find("cases of your own need reference"),
-      std::string::npos);
+  EXPECT_NE(read(files.substr(0, files.find("reference")) + "reference = { method = \"none\" }\n" + cases)
+                ->fit_refusal()
+                .find("cases of your own need reference"),
+            std::string::npos);
   EXPECT_EQ(refusal(kFiles + std::string("loads = { set = \"own\" }\n")),
             "study.toml:9: set = \"own\" needs load cases, each under [[problem.loads.cases]]");
   EXPECT_EQ(refusal(kFiles + std::string("loads = { stress = 2, cases = [] }\n")),
