@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
-#include <nodal/error.h>
 #include <nodal/file.h>
 #include <nodal/store.h>
 
 #include "../support/components.h"
+#include "figure_table.h"
 #include "marked_table.h"
 #include "readme_table.h"
 #include "unseen_table.h"
@@ -19,16 +19,21 @@ namespace nodal::docs {
 namespace {
 
 // A page with its table replaced by that of a comparison.
-std::string with_table_of(const std::string& page, const report::ReportData& data) {
-  if (data.study_name == "plate") return with_table(page, data);
-  if (data.study_name == "unseen") return with_marked_table(page, kUnseenStudy, unseen_table(data));
-  throw InputError("no page has a table of the study '" + data.study_name + "'");
+std::string with_table_of(const std::string& page, const Store& store, const report::ReportData& data) {
+  const std::string& study = data.study_name;
+  if (study == "plate") return with_table(page, data);
+  if (study == "unseen") return with_marked_table(page, kUnseenStudy, unseen_table(data));
+  const bool errors = study == "schedule" || study == "gradients";
+  return with_marked_table(page, paper_study(study),
+                           study == "fig02" ? voronoi_table(store.manifest())
+                           : errors         ? errors_table(data)
+                                            : figure_table(data));
 }
 
 void rewrite(const char* page, const char* directory) {
   std::vector<Store> stores;
   stores.push_back(Store::open_existing(directory));
-  replace_file(page, with_table_of(read_file(page, "page"), report::collect(stores, components())));
+  replace_file(page, with_table_of(read_file(page, "page"), stores.front(), report::collect(stores, components())));
 }
 
 }  // namespace
