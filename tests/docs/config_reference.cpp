@@ -114,15 +114,21 @@ constexpr std::string_view kElasticRules = R"(Rules between these keys:
 - `points.counts`: at least 2 in each direction, at most 1,000,000 nodes.
 - `springs.file` takes the place of a topology.
 - A net in which nodes can move without resistance is refused with the nodes that move, and drawn by `--picture`.
-- `springs.bounds`: 0 < lower < upper. They are multiplied by `material.young` and `body.thickness`, in space by
-  `material.young` and the mean rest length: N/m. Springs from a file have bounds about their own stiffnesses instead where
+- `material`: `young` and `poisson`, or `orthotropic`. Its constants must be those of a material: positive definite, ν_xy² <
+  E_x/E_y in plane stress; in plane strain and in space no nearer to the limit than an isotropic material of ν = 0.4999.
+- `material.regions`: each has one of `half_plane`, `box`, `polygon`, `feature` and `file` (`feature` of a `file` is one), in
+  space a `box`. What it leaves out is the body's; beside an orthotropic body an isotropic region needs both `young` and
+  `poisson`. A region that covers nothing of the body, or is hidden by later ones, is refused; so are two of one name, and
+  one called "body". `density` needs `masses`.
+- `springs.bounds`: 0 < lower < upper. They are multiplied by E and `body.thickness`, in space by E and the mean rest length:
+  N/m. Of several materials, or an orthotropic one, the lower by the least E t, the upper by the greatest. Springs from a file have bounds about their own stiffnesses instead where
   none are given.
 - `springs.initial`: as a table it has either `rule` or `file`. `lattice` needs a crossed grid of square
   cells, or equilateral triangles, that fill the body to its outline, as a triangular grid fills a regular hexagon with
   `turn = 0` whose radius is a multiple of its spacing; in space `faces` on cubes. What a rule puts outside the bounds is
   moved just inside (`nodal explain` says so); a file's can be evaluated, but not fitted.
 - `springs.parameters = "symmetric"` is refused where no rotation or reflection carries the net into itself; `"groups"`
-  needs a file of springs with a column `group`; as a table it has either `rule` or `lists`.
+  needs a file of springs with a column `group`, `"by-region"` a material with regions; as a table it has either `rule` or `lists`.
 - `masses` other than `none` need an outline, so a body in the plane; `positive` is refused where such masses are proved
   impossible.
 - `loads.stress` and `loads.supports` belong to the basic loads, `loads.cases` to loads of your own, in the plane, which to

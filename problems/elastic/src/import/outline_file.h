@@ -5,7 +5,8 @@
 ///
 /// Both list rings, the outline first, and each ring ends with its first point again: a ring that doesn't is refused as
 /// open. Coordinates are metres. A multi-polygon, or a collection, of a single polygon is that polygon; several, and
-/// what else these formats can hold, are refused. A z that is the same for all points is left out, as is the SRID in
+/// what else these formats can hold, are refused; of a GeoJSON collection of several features one is taken by its name,
+/// which is `name` of its properties or its `id`. A z that is the same for all points is left out, as is the SRID in
 /// front of a WKT, which FileOutline::remarks tells; several z, and measures (M), are refused.
 ///
 /// WKT is read here and not by Boost.Geometry's read_wkt, because 1.74 refuses a line break between numbers, takes
@@ -13,6 +14,7 @@
 /// reads it.
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,6 +22,7 @@
 #include <nodal/elastic/point.h>
 #include <nodal/error.h>
 #include <nodal/input_files.h>
+#include <nodal/value.h>
 
 namespace nodal::elastic {
 
@@ -35,11 +38,18 @@ struct FileOutline {
 [[nodiscard]] FileOutline parse_wkt(std::string_view text, const std::string& name);
 
 /// InputError with `name` and the line for anything but a Polygon or a MultiPolygon of one, a Feature with such, or a
-/// collection that holds exactly one of these.
-[[nodiscard]] FileOutline parse_geojson(std::string_view text, const std::string& name);
+/// collection that holds exactly one of these, or one of that name, where a feature is asked for. Refusal where there
+/// is no feature of that name, or several.
+[[nodiscard]] FileOutline parse_geojson(std::string_view text, const std::string& name,
+                                        const std::optional<std::string>& feature = {});
 
 /// By its extension: .wkt, or .geojson and .json. InputError with the path for another, or for a file that can't be
-/// read.
-[[nodiscard]] FileOutline read_outline_file(InputFiles& files, const std::filesystem::path& path);
+/// read. Refusal as parse_geojson, and for a feature of a .wkt, which has none.
+[[nodiscard]] FileOutline read_outline_file(InputFiles& files, const std::filesystem::path& path,
+                                            const std::optional<std::string>& feature = {});
+
+/// Of the file that an option names, and the feature that another does, if there is one. InputError at the options'
+/// places, too.
+[[nodiscard]] FileOutline read_named_outline(InputFiles& files, const Value& file, const Value* feature);
 
 }  // namespace nodal::elastic

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <nodal/error.h>
 #include <nodal/shown.h>
 #include <nodal/value.h>
 
@@ -31,8 +32,11 @@ const Value& list_of(const Value& object, const char* key, const char* owner) {
 const Value& single(const Value& object, const char* key, const char* owner) {
   const Value::List& entries = list_of(object, key, owner).list();
   if (entries.size() != 1)
-    throw InputError(object.source, fmt::format("the {} has {} {}; it must have exactly one, with a Polygon", owner,
-                                                entries.size(), key));
+    throw InputError(
+        object.source,
+        fmt::format(
+            "the {} has {} {}; it must have exactly one, with a Polygon{}", owner, entries.size(), key,
+            entries.size() > 1 && std::string_view(key) == "features" ? ", or 'feature' must name one of them" : ""));
   return entries[0];
 }
 
@@ -87,11 +91,38 @@ plane::Point point_of(const Value& position, SameHeight& heights) {
   return {position.list()[0].number(), position.list()[1].number()};
 }
 
+// What a feature is called: `name` of its properties, else its id.
+std::string name_of(const Value& feature) {
+  const Value* properties = feature.is_table() ? feature.find("properties") : nullptr;
+  if (const std::string name = properties ? text_of(*properties, "name") : ""; !name.empty()) return name;
+  const Value* id = feature.is_table() ? feature.find("id") : nullptr;
+  return !id ? "" : id->is_text() ? id->text() : id->is_integer() ? std::to_string(id->integer()) : "";
+}
+
+const Value& feature_of(const Value& file, const std::string& name, const std::string& wanted) {
+  static const Value::List kNone;
+  const bool collection = text_of(file, "type") == "FeatureCollection";
+  const Value::List& features = collection ? list_of(file, "features", "FeatureCollection").list() : kNone;
+  std::vector<std::string> names;
+  const Value* found = nullptr;
+  for (const Value& feature : features) {
+    names.push_back(name_of(feature));
+    if (names.back() != wanted) continue;
+    if (found) throw Refusal(fmt::format("'{}' has two features '{}'", shown(name), shown(wanted)));
+    found = &feature;
+  }
+  if (found) return *found;
+  std::erase(names, "");
+  throw Refusal(fmt::format(
+      "'{}' has no feature '{}'{}", shown(name), shown(wanted),
+      names.empty() ? ", and none with a name: properties = {\"name\": …} gives one" : name_hint(wanted, names)));
+}
+
 }  // namespace
 
-FileOutline parse_geojson(std::string_view text, const std::string& name) {
+FileOutline parse_geojson(std::string_view text, const std::string& name, const std::optional<std::string>& feature) {
   const Value file = parse_json(text, name, JsonNull::left_out);
-  const Value& rings = rings_of(file);
+  const Value& rings = rings_of(feature ? feature_of(file, name, *feature) : file);
   FileOutline outline;
   outline.source = rings.source;
   SameHeight heights;

@@ -128,14 +128,27 @@ BorderPull pull_of(const Options& table) {
   return pull;
 }
 
-std::string add_tractions(const Options& table, const Net& net, std::span<double> forces, BodyLoad& body) {
+// With the thickness of the region that its middle is in.
+BorderPiece as_thick_as_there(BorderPiece piece, const Net& net, const MaterialField& material) {
+  Vector middle{};
+  for (const std::size_t node : piece.nodes)
+    for (std::size_t axis = 0; axis < net.dimension; ++axis)
+      middle[axis] += net.nodes[node][axis] / static_cast<double>(piece.nodes.size());
+  const double own = net.body.thickness, there = material.thickness_at(middle, own);
+  if (there != own) piece.share *= there / own;
+  return piece;
+}
+
+std::string add_tractions(const Options& table, const Net& net, const MaterialField& material, std::span<double> forces,
+                          BodyLoad& body) {
   const std::vector<std::size_t> nodes = select_nodes(table, net);
   BorderPull pull = pull_of(table);
   const bool constant = table.has("traction");
   std::size_t index = 0;
-  for_each_border_piece(net, [&](const BorderPiece& piece) {
+  for_each_border_piece(net, [&](const BorderPiece& any) {
     const std::size_t k = index++;
-    if (!piece.within(nodes)) return;
+    if (!any.within(nodes)) return;
+    const BorderPiece piece = as_thick_as_there(any, net, material);
     pull.pieces.push_back(k);
     constant ? add_traction(net, piece, pull.traction, forces) : add_stress(net, piece, pull.stress.at_centre, forces);
   });
@@ -225,21 +238,23 @@ std::vector<Support> points_of(const BodyLoad& body, const std::vector<Support>&
   return points;
 }
 
-OwnCase read_case(const Options& table, const Net& net) {
+OwnCase read_case(const Options& table, const Net& net, const MaterialField& material) {
   OwnCase result{{table.text("name"), std::vector<double>(net.freedoms().size(), 0.0)}, table.values().source};
   PlacedLoad& load = result.load;
   if (load.name.empty()) throw InputError(table.at("name").source, "the name of a load may not be empty");
   std::map<std::size_t, Held> held;
   const auto note = [&](std::string selection) { result.selections.push_back(std::move(selection)); };
   for (const Options& support : table.tables("supports")) note(add_supports(support, net, held, load.body));
-  const auto pull = [&](const Options& entry, auto add) {
+  const auto pull = [&](auto add) {
     std::vector<double> own(load.forces.size(), 0.0);
-    note(add(entry, net, own, load.body));
+    note(add(own));
     if (only_on_supports(own, held)) result.idle.push_back(result.selections.back());
     std::ranges::transform(own, load.forces, load.forces.begin(), std::plus<>());
   };
-  for (const Options& force : table.tables("forces")) pull(force, add_forces);
-  for (const Options& traction : table.tables("tractions")) pull(traction, add_tractions);
+  for (const Options& force : table.tables("forces"))
+    pull([&](std::span<double> own) { return add_forces(force, net, own, load.body); });
+  for (const Options& traction : table.tables("tractions"))
+    pull([&](std::span<double> own) { return add_tractions(traction, net, material, own, load.body); });
   bool moved = std::ranges::any_of(load.forces, [](double f) { return f != 0.0; });
   for (const auto& [freedom, hold] : held) {
     load.group.supports.push_back({net.freedoms().node_of(freedom), net.freedoms().axis_of(freedom), hold.value});
@@ -286,10 +301,10 @@ OptionSchema case_fields() {
   };
 }
 
-std::vector<OwnCase> read_own_cases(const std::vector<Options>& cases, const Net& net) {
+std::vector<OwnCase> read_own_cases(const std::vector<Options>& cases, const Net& net, const MaterialField& material) {
   std::vector<OwnCase> read;
   for (const Options& table : cases) {
-    OwnCase one = read_case(table, net);
+    OwnCase one = read_case(table, net, material);
     const auto earlier =
         std::ranges::find_if(read, [&](const OwnCase& other) { return other.load.name == one.load.name; });
     if (earlier != read.end())

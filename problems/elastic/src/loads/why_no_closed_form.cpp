@@ -44,8 +44,9 @@ std::string why_not_clamped(const LoadSpec& spec, const Elasticity& elasticity) 
     }
   if (within <= kNoStrain * largest) return {};
   return fmt::format(
-      "the material, whose axes are not the body's, answers shear with {:.3g} of it as strain within the side that is "
-      "held, and that side can't stretch",
+      "the material, whose axes are not the body's, answers shear with a strain within the side that is held, {:.3g} "
+      "of "
+      "its largest, and that side can't stretch",
       within / largest);
 }
 

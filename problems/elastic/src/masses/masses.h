@@ -20,19 +20,27 @@
 #include <vector>
 
 #include <nodal/elastic/body.h>
+#include <nodal/elastic/material_field.h>
 
 namespace nodal::elastic {
 
 /// What masses must reproduce: density · thickness · moments of the body about `origin`, which should lie in or near
-/// the body (second moments about a far one have lost the digits that matter). Regions of other density: add their
-/// moments about the same origin.
+/// the body (second moments about a far one have lost the digits that matter).
 struct MassTarget {
   plane::Moments moments;
   plane::Point origin = {0.0, 0.0};
 };
 
-/// Of a body of one density, about the middle of its box.
-[[nodiscard]] MassTarget mass_target(const Body& body, double density);
+/// Of a body with a density where its regions have none of their own, about the middle of its box. Exact: the moments
+/// of regions of another density or thickness are those of their polygons, cut (geometry/plane/overlay.h).
+[[nodiscard]] MassTarget mass_target(const Body& body, double density, const MaterialField& material = {});
+
+/// Some region has another mass per area than the body.
+[[nodiscard]] bool has_uneven_mass(const MaterialField& material, double density, const Body& body);
+
+/// By what regions make a part of the body heavier: Σ (ρ_k t_k − ρ t) · moments of what region k has of the rings.
+[[nodiscard]] plane::Moments excess_moments(const std::vector<plane::Ring>& part, const MaterialField& material,
+                                            double density, const Body& body, const plane::Point& origin = {0.0, 0.0});
 
 /// found: all six moments are met within kMomentError. infeasible: no masses can meet them (and the bounds, in the
 /// positive form); the certificate proves it. undecided: neither could be shown; the figures say how far it came.

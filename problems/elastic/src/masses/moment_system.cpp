@@ -66,16 +66,6 @@ double MassCertificate::at(const plane::Point& point) const {
 
 double Masses::largest_error() const { return std::ranges::max_element(moments, {}, &MomentError::relative)->relative; }
 
-MassTarget mass_target(const Body& body, double density) {
-  if (!body.has_outline()) throw Refusal("a body without an outline has no mass");
-  const plane::Box box = plane::bounding_box(body.rings[0]);
-  MassTarget target;
-  target.origin = {0.5 * (box.low[0] + box.high[0]), 0.5 * (box.low[1] + box.high[1])};
-  plane::Moments& m = target.moments = plane::moments(body.rings, target.origin);
-  for (double* value : {&m.area, &m.first[0], &m.first[1], &m.xx, &m.xy, &m.yy}) *value *= density * body.thickness;
-  return target;
-}
-
 MomentSystem::MomentSystem(const std::vector<plane::Point>& points, const MassTarget& wanted) {
   check(points, wanted);
   const plane::Box box = plane::bounding_box(points);

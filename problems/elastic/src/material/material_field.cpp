@@ -78,6 +78,19 @@ std::vector<std::array<plane::Point, 2>> borders(const MaterialField& field, con
   return segments;
 }
 
+std::vector<std::array<plane::Point, 2>> borders_within(const MaterialField& field, const Body& body) {
+  std::vector<std::array<plane::Point, 2>> within;
+  for (const std::array<plane::Point, 2>& side : borders(field, extent_of(body))) {
+    const plane::Point &p = side[0], &q = side[1];
+    const std::vector<double> cuts = crossings(p, q, body.rings);
+    for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
+      const auto at = [&](double t) { return plane::Point{p[0] + t * (q[0] - p[0]), p[1] + t * (q[1] - p[1])}; };
+      if (plane::contains(body, at(0.5 * (cuts[i] + cuts[i + 1])))) within.push_back({at(cuts[i]), at(cuts[i + 1])});
+    }
+  }
+  return within;
+}
+
 std::array<std::vector<double>, 3> border_planes(const MaterialField& field, const Extent& box) {
   std::array<std::vector<double>, 3> planes;
   for (std::size_t axis = 0; axis < 3; ++axis) {

@@ -49,11 +49,13 @@ Tensor rotation(double degrees, const Vector& axis) {
   const double length = norm(axis);
   const Vector k = {axis[0] / length, axis[1] / length, axis[2] / length};
   Tensor r{};
+  for (std::size_t a = 0; a < 3; ++a)
+    for (std::size_t b = 0; b < 3; ++b) r[a][b] = (1.0 - c) * k[a] * k[b] + (a == b ? c : 0.0);
   for (std::size_t a = 0; a < 3; ++a) {
-    for (std::size_t b = 0; b < 3; ++b) r[a][b] = (1.0 - c) * k[a] * k[b];
-    r[a][a] += c;
-    r[(a + 1) % 3][a] += s * k[(a + 2) % 3];
-    r[a][(a + 1) % 3] -= s * k[(a + 2) % 3];
+    const std::size_t next = (a + 1) % 3;
+    const double across = s * k[(a + 2) % 3];
+    r[next][a] += across;
+    r[a][next] -= across;
   }
   return r;
 }

@@ -78,6 +78,23 @@ std::vector<plane::Ring> rings_around(const RegionShape& shape, const Extent& bo
   return std::get<PolygonShape>(shape).rings();
 }
 
+std::vector<double> crossings(const plane::Point& p, const plane::Point& q, const std::vector<plane::Ring>& rings) {
+  std::vector<double> cuts = {0.0, 1.0};
+  const plane::Point d = {q[0] - p[0], q[1] - p[1]};
+  const auto beside = [&](const plane::Point& x) { return d[0] * (x[1] - p[1]) - d[1] * (x[0] - p[0]); };
+  for (const plane::Ring& ring : rings)
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const plane::Point &a = ring[i], &b = ring[(i + 1) % ring.size()];
+      const double before = beside(a), after = beside(b);
+      if ((before < 0.0) == (after < 0.0)) continue;
+      const plane::Point at = along(a, {b[0] - a[0], b[1] - a[1]}, before / (before - after));
+      const double t = ((at[0] - p[0]) * d[0] + (at[1] - p[1]) * d[1]) / (d[0] * d[0] + d[1] * d[1]);
+      if (t > 0.0 && t < 1.0) cuts.push_back(t);
+    }
+  std::ranges::sort(cuts);
+  return cuts;
+}
+
 std::vector<Segment> sides_within(const RegionShape& shape, const Extent& box, double tolerance) {
   std::vector<Segment> sides;
   if (const auto* half = std::get_if<HalfPlane>(&shape)) {

@@ -14,6 +14,10 @@ namespace nodal::elastic {
 [[nodiscard]] std::vector<std::array<plane::Point, 2>> sides_within(const RegionShape& shape, const Extent& box,
                                                                     double tolerance);
 
+/// Where the segment from p to q crosses rings, as shares of it, with 0 and 1: ascending.
+[[nodiscard]] std::vector<double> crossings(const plane::Point& p, const plane::Point& q,
+                                            const std::vector<plane::Ring>& rings);
+
 /// The shape as rings that enclose the same part of a box, and may reach beyond it; in the plane.
 [[nodiscard]] std::vector<plane::Ring> rings_around(const RegionShape& shape, const Extent& box);
 

@@ -150,6 +150,20 @@ ParameterRule listed_rule(const Net& net, const std::vector<SpringGroup>& groups
   return rule;
 }
 
+ParameterRule region_rule(const Net& net, const MaterialField& material) {
+  if (material.regions.empty())
+    throw Refusal(
+        "'by-region' ties springs by regions of material, and there are none; give material = { regions = [ … ] }");
+  ParameterRule rule("listed");
+  for (const Spring& s : net.springs) {
+    Vector middle{};
+    for (std::size_t axis = 0; axis < net.dimension; ++axis)
+      middle[axis] = 0.5 * (net.nodes[s.first][axis] + net.nodes[s.second][axis]);
+    rule.group_of_spring.push_back(material.name_of(material.region_at(middle)));
+  }
+  return rule;
+}
+
 Parameters::Limits::Limits(const StiffnessBounds::Pair& pair) : bounds(pair) {
   constexpr double kUlps = 4.0 * std::numeric_limits<double>::epsilon();
   for (std::size_t side = 0; side < 2; ++side) {

@@ -40,6 +40,7 @@ const std::vector<ShapeKey>& shape_keys() {
       {"outline", {"polygon"}, {"polygon"}},
       {"holes", {"polygon"}, {}},
       {"file", {"file"}, {"file"}},
+      {"feature", {"file"}, {}},
       {"scale", {"polygon", "file"}, {}},
   };
   return keys;
@@ -200,6 +201,10 @@ OptionSchema body_fields() {
        .default_text = "none",
        .help = "relative to the study: a POLYGON in WKT (.wkt), or a Polygon in GeoJSON (.geojson, .json); metres, "
                "unless 'scale' says otherwise"},
+      {.name = "feature",
+       .type = OptionType::text,
+       .default_text = "the only one",
+       .help = "of a GeoJSON collection of several features: 'name' of its properties, or its 'id'"},
       scale_option("its coordinates"),
       thickness,
       {.name = "corner_turn",
@@ -252,7 +257,8 @@ Body read_rings(const Options& body, const ProblemContext& context, const std::s
   if (shape == "none") return {.name = "none", .rings = {}, .thickness = thickness, .corner_turn = corner_turn};
   if (shape == "file") {
     const std::filesystem::path file = body.text("file");
-    FileOutline outline = read_outline_file(context.files, named_file(context.files, body.at("file")));
+    FileOutline outline =
+        read_named_outline(context.files, body.at("file"), body.has("feature") ? &body.at("feature") : nullptr);
     scale_rings(body, outline.rings);
     Body read =
         plane::checked_body(std::move(outline.rings), file.filename().string(), thickness, corner_turn, outline.source);

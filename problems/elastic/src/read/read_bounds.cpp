@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "read/read_bounds.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -13,8 +15,9 @@ namespace nodal::elastic {
 
 namespace {
 
-StiffnessBounds times(const std::array<double, 2>& bounds, double unit, const Source& source, const std::string& what) {
-  const std::array<double, 2> scaled = {bounds[0] * unit, bounds[1] * unit};
+StiffnessBounds times(const std::array<double, 2>& bounds, const std::array<double, 2>& units, const Source& source,
+                      const std::string& what) {
+  const std::array<double, 2> scaled = {bounds[0] * units[0], bounds[1] * units[1]};
   if (!std::isnormal(scaled[0]) || !std::isnormal(scaled[1]))
     throw InputError(source, fmt::format("'bounds' × {} leaves the range of double precision", what));
   return {scaled[0], scaled[1]};
@@ -39,6 +42,18 @@ double mean_length(const std::vector<Spring>& springs) {
   double sum = 0.0;
   for (const Spring& s : springs) sum += s.length;
   return sum / static_cast<double>(springs.size());
+}
+
+// The least and the greatest E t of what counts, of an orthotropic material among its own axes.
+std::array<double, 2> young_thickness(const MaterialField& field, const Body& body) {
+  std::array<double, 2> range = {std::numeric_limits<double>::infinity(), 0.0};
+  for (std::size_t region = 0; region <= field.regions.size(); ++region) {
+    if (!field.counts(region)) continue;
+    const auto [least, greatest] = field.material_of(region).young_range(body.dimension());
+    const double thickness = field.thickness_of(region, body.thickness);
+    range = {std::min(range[0], least * thickness), std::max(range[1], greatest * thickness)};
+  }
+  return range;
 }
 
 // What springs from a file have, about; and in words.
@@ -66,14 +81,16 @@ ChosenBounds choose(const Options& springs, const ProblemContext& context, const
   if (given || !own) {
     const std::array<double, 2> bounds = given ? of_study(springs) : kDefaultBounds;
     const bool space = scene.net.dimension == 3;
-    const std::string unit = space ? "young × the mean rest length" : "young × thickness";
-    const double length = space ? mean_length(scene.net.springs) : scene.net.body.thickness;
-    return {times(bounds, scene.material.base.young * length, source, unit),
+    const std::array<double, 2> stiffness = young_thickness(scene.material, scene.net.body);
+    const std::string unit = fmt::format("{}{}", stiffness[0] == stiffness[1] ? "" : "the least and the greatest ",
+                                         space ? "young × the mean rest length" : "young × thickness");
+    const double length = space ? mean_length(scene.net.springs) : 1.0;
+    return {times(bounds, {stiffness[0] * length, stiffness[1] * length}, source, unit),
             fmt::format("[{}, {}] × {}", bounds[0], bounds[1], unit)};
   }
   if (study.bounds) return {{(*study.bounds)[0], (*study.bounds)[1]}, "as the file of springs says"};
   const auto [typical_stiffness, of_what] = typical(springs, context, study, paper, scene);
-  return {times(kDefaultBounds, typical_stiffness, source, "the springs' stiffnesses"),
+  return {times(kDefaultBounds, {typical_stiffness, typical_stiffness}, source, "the springs' stiffnesses"),
           fmt::format("[{}, {}] × the geometric mean of {}", kDefaultBounds[0], kDefaultBounds[1], of_what)};
 }
 

@@ -4,7 +4,8 @@
 /// Within which bounds a study's stiffnesses are searched, and who chose them.
 ///
 ///     the study's `bounds` × young × thickness, in space × young × the mean rest length, where it gives them;
-///     of a body's net   [1e-4, 1e2] × the same;
+///     of a body's net   [1e-4, 1e2] × the same, of several materials, or an orthotropic one, the lower bound by the
+///                       least E t, the upper by the greatest;
 ///     of springs from a file, which needn't have a material,
 ///         those that the file says (a system file that a fit has written);
 ///         else [1e-4, 1e2] × the geometric mean of the stiffnesses that their file or that of their start says;

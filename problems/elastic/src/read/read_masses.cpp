@@ -15,13 +15,16 @@ namespace {
 
 constexpr double kDensity = 1.0;  // [kg/m³]
 
-// Mass of each node's Voronoi region; the regions are kept for pictures.
-std::vector<double> region_masses(double density, const Net& net, Account& account) {
+// Mass of each node's Voronoi region; these regions are kept for pictures.
+std::vector<double> voronoi_masses(double density, const MaterialField& material, const Net& net, Account& account) {
   const plane::Outline outline(net.body);
   plane::VoronoiCells cells(outline, {});
   cells.compute(in_plane(net.nodes));
   std::vector<double> masses;
   for (const plane::CellSums& cell : cells.cells()) masses.push_back(density * net.body.thickness * cell.area);
+  if (has_uneven_mass(material, density, net.body))
+    for (std::size_t i = 0; i < net.nodes.size(); ++i)
+      masses[i] += excess_moments(cells.rings(i), material, density, net.body).area;
   if (account.regions.empty())
     for (std::size_t i = 0; i < net.nodes.size(); ++i) account.regions.push_back(cells.rings(i));
   return masses;
@@ -66,7 +69,7 @@ OptionSchema masses_fields() {
        .unit = "kg/m³",
        .minimum = 0.0,
        .minimum_excluded = true,
-       .help = "of the body"},
+       .help = "of the body, where a region has none of its own"},
       {.name = "least_share",
        .default_value = kSmallestMassShare,
        .minimum = 0.0,
@@ -75,7 +78,7 @@ OptionSchema masses_fields() {
   };
 }
 
-void read_masses(const Options& masses, Net& net, Account& account) {
+void read_masses(const Options& masses, const MaterialField& material, Net& net, Account& account) {
   const std::string& form = masses.text("form");
   refuse_foreign_keys(masses, form);
   if (form == "none") {
@@ -93,11 +96,11 @@ void read_masses(const Options& masses, Net& net, Account& account) {
     throw InputError(source, fmt::format("positive masses need {}", triangulation_library()));
   at(source, [&] {
     const double density = masses.number("density");
-    const MassTarget target = mass_target(net.body, density);
-    const Masses found = form == "least-norm"
-                             ? least_norm_masses(in_plane(net.nodes), target)
-                             : positive_masses(in_plane(net.nodes), target, region_masses(density, net, account),
-                                               masses.number("least_share"));
+    const MassTarget target = mass_target(net.body, density, material);
+    const Masses found = form == "least-norm" ? least_norm_masses(in_plane(net.nodes), target)
+                                              : positive_masses(in_plane(net.nodes), target,
+                                                                voronoi_masses(density, material, net, account),
+                                                                masses.number("least_share"));
     if (form == "positive" && found.outcome == MassOutcome::infeasible)
       throw InputError(source,
                        fmt::format("{}; take masses = {{ form = \"least-norm\" }}, or other points", found.message));

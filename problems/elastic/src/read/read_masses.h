@@ -4,6 +4,7 @@
 /// The masses that a study asks for: `masses`.
 
 #include <nodal/elastic/account.h>
+#include <nodal/elastic/material_field.h>
 #include <nodal/elastic/net.h>
 #include <nodal/options.h>
 
@@ -13,7 +14,8 @@ namespace nodal::elastic {
 
 /// Fills the net's masses; of form "none" they stay what a file of nodes says. InputError without an outline, for
 /// positive masses that are proved impossible, or in a build without CGAL.
-/// The account's data get "masses": how far moments are off, the smallest mass, the rank, which conditions fail.
-void read_masses(const Options& masses, Net& net, Account& account);
+/// Regions count with densities and thicknesses of their own. The account's data get "masses": how far moments are off,
+/// the smallest mass, the rank, which conditions fail.
+void read_masses(const Options& masses, const MaterialField& material, Net& net, Account& account);
 
 }  // namespace nodal::elastic

@@ -13,7 +13,8 @@ namespace nodal::elastic {
 
 namespace {
 
-const std::vector<std::string> kRules = {"each", "by-direction", "by-length", "symmetric", "uniform", "groups"};
+const std::vector<std::string> kRules = {"each",      "by-direction", "by-length", "by-region",
+                                         "symmetric", "uniform",      "groups"};
 
 OptionSchema list_fields() {
   return {
@@ -67,7 +68,8 @@ Option parameters_option() {
           .default_value = "each",
           .choices = kRules,
           .help =
-              "which springs share one stiffness: none; all of a direction; all of a class of length; those that a "
+              "which springs share one stiffness: none; all of a direction; all of a class of length; all of a region "
+              "of material; those that a "
               "symmetry of the net carries into each other; all; those of a group in the file of springs",
           .fields = {{.name = "rule", .type = OptionType::text, .choices = kRules, .help = "one of the names above"},
                      {.name = "direction_tolerance",
@@ -89,7 +91,8 @@ Option parameters_option() {
           .or_table = true};
 }
 
-ParameterRule read_parameters(const Value& value, const Net& net, const std::vector<std::string>& groups) {
+ParameterRule read_parameters(const Value& value, const Net& net, const MaterialField& material,
+                              const std::vector<std::string>& groups) {
   const auto read = [&] {
     ParameterRule rule = value.is_text() ? ParameterRule(value.text()) : read_table(Options(value), net);
     if (rule.name == "groups") {
@@ -99,6 +102,7 @@ ParameterRule read_parameters(const Value& value, const Net& net, const std::vec
       rule.name = "listed";
       rule.group_of_spring = groups;
     }
+    if (rule.name == "by-region") rule = region_rule(net, material);
     (void)Parameters(net, rule);
     return rule;
   };

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include <nodal/elastic/material_field.h>
 #include <nodal/elastic/parameters.h>
 #include <nodal/options.h>
 
@@ -15,6 +16,7 @@ namespace nodal::elastic {
 [[nodiscard]] Option parameters_option();
 
 /// `groups`: [springs] names from a file of springs, empty without. InputError for what doesn't fit the net.
-[[nodiscard]] ParameterRule read_parameters(const Value& value, const Net& net, const std::vector<std::string>& groups);
+[[nodiscard]] ParameterRule read_parameters(const Value& value, const Net& net, const MaterialField& material,
+                                            const std::vector<std::string>& groups);
 
 }  // namespace nodal::elastic

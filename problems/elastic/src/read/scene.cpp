@@ -15,6 +15,7 @@
 #include "read/read_bounds.h"
 #include "read/read_held_out.h"
 #include "read/read_masses.h"
+#include "read/read_material.h"
 #include "read/read_net.h"
 #include "read/read_parameters.h"
 #include "read/read_start.h"
@@ -26,17 +27,6 @@
 namespace nodal::elastic {
 
 namespace {
-
-Material read_material(const Options& options, std::size_t dimension) {
-  const Options material = options.table("material");
-  const Plane plane = material.text("plane") == "stress" ? Plane::stress : Plane::strain;
-  const Material made = {material.number("young"), material.number("poisson"), plane};
-  if (dimension == 3 && material.given("plane"))
-    throw InputError(material.at("plane").source, "'plane' belongs to bodies in the plane, not to a box");
-  if (const std::string flaw = made.flaw(dimension); !flaw.empty())
-    throw InputError(material.at("poisson").source, flaw);
-  return made;
-}
 
 // Why kernels for these instructions can't be had here; empty when they can.
 std::string instructions_refusal(const std::string& name) {
@@ -129,19 +119,6 @@ void tell_of_body(const Body& body, Account& account) {
   for (const std::string& remark : body.remarks) account.remark(remark);
 }
 
-// Springs alone make a net of one Poisson's ratio; what was measured has no material that the study would know of.
-void tell_of_poisson(const Scene& scene, bool tied, Account& account) {
-  const bool space = scene.net.dimension == 3;
-  const double poisson = scene.material.base.elasticity(scene.net.dimension).isotropic()->poisson;
-  if (std::abs(poisson - (space ? 0.25 : 1.0 / 3.0)) <= 0.02) return;
-  account.remark(
-      fmt::format("springs alone make a Cauchy-elastic net: even, isotropic ones have Poisson's ratio {}, the material "
-                  "has {:.4g}; {}",
-                  space ? "1/4 in space" : "1/3 in the plane", poisson,
-                  tied ? "tied springs can't make up for that, so expect a remaining error"
-                       : "free, uneven springs reach it at the price of a spread in stiffness and of local noise"));
-}
-
 // What is compared: the weights, what is held out, and that there is something to fit.
 void read_quality(const Options& options, bool keeps_shape, References& references, Scene& scene, Account& account) {
   const Options quality = options.table("quality"), reference = options.table("reference");
@@ -176,11 +153,11 @@ MadeScene make_scene(const Options& options, const ProblemContext& context) {
   const Options points = options.table("points"), springs = options.table("springs");
   const Body body = read_body(options.table("body"), context, points.has("file") ? "none" : "rectangle");
   tell_of_body(body, account);
-  scene.material = read_material(options, body.dimension());
+  scene.material = read_material(options, context, body, account);
   StudyNet study = read_net(options, context, body, account);
   scene.net = std::move(study.net);
   tell_of_outline(points, scene.net, account);
-  read_masses(options.table("masses"), scene.net, account);
+  read_masses(options.table("masses"), scene.material, scene.net, account);
   References references(read_reference_choice(options.table("reference"), scene.net.dimension), scene.net,
                         scene.material, account, context.cache);
   read_loads(options, context, references, scene, account);
@@ -191,7 +168,7 @@ MadeScene make_scene(const Options& options, const ProblemContext& context) {
   read_quality(options, keeps_shape, references, scene, account);
   scene.solver = options.table("equilibrium").text("method");
 
-  scene.parameter_rule = read_parameters(springs.at("parameters"), scene.net, study.groups);
+  scene.parameter_rule = read_parameters(springs.at("parameters"), scene.net, scene.material, study.groups);
   const bool one_to_one = Parameters(scene.net, scene.parameter_rule).one_to_one();
   scene.moves = read_moves(options.table("moves"), scene, one_to_one);
   BestPaperStart paper;
@@ -204,7 +181,8 @@ MadeScene make_scene(const Options& options, const ProblemContext& context) {
   read_start({springs, context, study, paper, bounds, account}, scene);
   if (bounds.around_start) take(bounds_around_start(springs, scene, *bounds.around_start));
   read_prior(options, scene, account);
-  if (scene.has_reference && !options.table("reference").has("file")) tell_of_poisson(scene, !one_to_one, account);
+  if (scene.has_reference && !options.table("reference").has("file"))
+    tell_of_poisson(scene.material, scene.net.dimension, !one_to_one, account);
   return made;
 }
 

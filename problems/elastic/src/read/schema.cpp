@@ -10,6 +10,7 @@
 #include "import/table_options.h"
 #include "moves/pricing_forms.h"
 #include "read/body_options.h"
+#include "read/material_options.h"
 #include "read/read_masses.h"
 #include "read/read_parameters.h"
 #include "read/read_points.h"
@@ -22,31 +23,6 @@
 namespace nodal::elastic {
 
 namespace {
-
-OptionSchema material_fields() {
-  return {
-      {.name = "young",
-       .type = OptionType::number,
-       .default_value = 1.0,
-       .unit = "Pa",
-       .minimum = 0.0,
-       .minimum_excluded = true,
-       .help = "Young's modulus E"},
-      {.name = "poisson",
-       .type = OptionType::number,
-       .default_value = 0.3,
-       .minimum = -1.0,
-       .maximum = 0.5,
-       .minimum_excluded = true,
-       .maximum_excluded = true,
-       .help = "Poisson's ratio ν; at most 0.4999 in plane strain and in space"},
-      {.name = "plane",
-       .type = OptionType::text,
-       .default_value = "stress",
-       .choices = {"stress", "strain"},
-       .help = "plane stress or plane strain, of bodies in the plane"},
-  };
-}
 
 OptionSchema initial_fields() {
   return {
@@ -172,7 +148,8 @@ Option table(const char* name, const char* help, OptionSchema fields) {
 OptionSchema elastic_schema() {
   return {
       table("body", "what is approximated", body_fields()),
-      table("material", "linear elastic, isotropic, homogeneous", material_fields()),
+      table("material", "linear elastic: isotropic or orthotropic, the same everywhere but in regions",
+            material_fields()),
       table("points", "where the nodes are", points_fields()),
       table("masses", "how heavy the nodes are", masses_fields()),
       table("springs", "which nodes are joined, what is free, where it starts", springs_fields()),

@@ -130,7 +130,7 @@ std::vector<OwnCase> read_described(const Options& loads, const Scene& scene, Ac
     throw InputError(loads.values().source, "set = \"own\" needs load cases, each under [[problem.loads.cases]]");
   refuse_key(loads, "stress", "give each case tractions = [{ edge = \"right\", traction = [tx, ty] }]");
   refuse_key(loads, "supports", "give each case supports = [{ edge = \"left\" }]");
-  std::vector<OwnCase> cases = read_own_cases(loads.tables("cases"), scene.net);
+  std::vector<OwnCase> cases = read_own_cases(loads.tables("cases"), scene.net, scene.material);
   tell_of_selections(cases, account);
   return cases;
 }

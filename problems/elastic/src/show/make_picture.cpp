@@ -69,6 +69,8 @@ Picture make_picture(const ElasticProblem& problem, std::span<const double> stif
                      std::string problem_label, std::string title) {
   Picture picture = make_net(problem.net(), stiffness);
   picture.cells = problem.account().regions;
+  if (problem.net().body.has_outline())
+    picture.interfaces = borders_within(problem.scene().material, problem.net().body);
   picture.problem = std::move(problem_label);
   picture.title = std::move(title);
   picture.quality = state.quality;

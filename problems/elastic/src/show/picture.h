@@ -54,8 +54,9 @@ struct Picture {
   std::vector<bool> seen = {};  ///< [springs] on a face that is seen, the only ones drawn under loads; all where empty
   std::vector<double> nearness = {};  ///< in space: from 0, farthest, to 1, nearest; empty in the plane
   std::vector<double> masses = {};
-  std::vector<std::vector<Ring>> cells = {};  ///< the rings of each node's Voronoi region
-  double unseen_error = 0.0;                  ///< over the loads that were never fitted
+  std::vector<std::vector<Ring>> cells = {};          ///< the rings of each node's Voronoi region
+  std::vector<std::array<Point, 2>> interfaces = {};  ///< borders of regions of material, within the body
+  double unseen_error = 0.0;                          ///< over the loads that were never fitted
 
   [[nodiscard]] std::span<const PicturedLoad> fitted() const { return std::span(loads).first(fitted_loads()); }
   [[nodiscard]] std::span<const PicturedLoad> unseen() const { return std::span(loads).subspan(fitted_loads()); }

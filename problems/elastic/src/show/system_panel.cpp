@@ -39,6 +39,12 @@ std::string cell_lines(const Picture& picture, const Frame& frame) {
   return "<path class=\"cell\" d=\"" + path + "\"/>";
 }
 
+std::string interface_lines(const Picture& picture, const Frame& frame) {
+  std::string path;
+  for (const auto& [p, q] : picture.interfaces) path += move_to(frame.at(p)) + line_to(frame.at(q));
+  return path.empty() ? path : "<path class=\"cell\" stroke-dasharray=\"5 3\" d=\"" + path + "\"/>";
+}
+
 // Area is proportional to mass; the heaviest node's dot reaches a fifth of the way to its neighbours, so that
 // springs stay visible between.
 class MassScale {
@@ -126,7 +132,7 @@ Drawing system_panel(const Picture& picture, double width, const StiffnessColour
   std::string strip = length_bar(frame, y, x);
   if (!picture.masses.empty()) strip += mass_key(picture, frame, y, x);
   return {
-      material(picture, frame) + cell_lines(picture, frame) +
+      material(picture, frame) + cell_lines(picture, frame) + interface_lines(picture, frame) +
           spring_lines(picture, DrawnSprings(picture, DrawnSprings::kMostAtRest), places, frame.line_width(), colours) +
           (picture.masses.empty() ? equal_dots(picture, frame) : mass_dots(picture, frame)) + strip,
       frame.width, std::ceil(frame.height)};

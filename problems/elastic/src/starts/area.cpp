@@ -7,6 +7,7 @@
 #include <nodal/error.h>
 
 #include "springs/connections.h"
+#include "starts/relative_stiffness.h"
 #include "starts/start_rule.h"
 #include "starts/triangle_area.h"
 
@@ -83,9 +84,10 @@ std::vector<double> area_stiffness(const Net& net, const MaterialField& material
   const std::vector<double> areas = net.dimension == 3     ? volumes_beside(net)
                                     : net.grid.columns > 0 ? areas_on_a_grid(net)
                                                            : areas_of_triangles(net);
-  std::vector<double> k;
+  const double unit = body_stiffness(material, net.body);
+  std::vector<double> k = relative_stiffness(net, material);
   for (std::size_t e = 0; e < areas.size(); ++e)
-    k.push_back(material.base.young * net.body.thickness * areas[e] / (net.springs[e].length * net.springs[e].length));
+    k[e] *= unit * areas[e] / (net.springs[e].length * net.springs[e].length);
   return k;
 }
 

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <nodal/elastic/stiffness.h>
 
+#include "starts/relative_stiffness.h"
 #include "starts/start_rule.h"
 
 namespace nodal::elastic {
 
 std::vector<double> paper_stiffness(const Net& net, const MaterialField& material) {
-  std::vector<double> k;
-  for (const Spring& s : net.springs) k.push_back(material.base.young * net.body.thickness * s.length / 4.0);
+  const double unit = body_stiffness(material, net.body);
+  std::vector<double> k = relative_stiffness(net, material);
+  for (std::size_t e = 0; e < k.size(); ++e) k[e] *= unit * net.springs[e].length / 4.0;
   return k;
 }
 

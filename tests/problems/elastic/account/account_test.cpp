@@ -37,6 +37,7 @@ TEST_F(SmallSystem, StagesOfAStudyAreToldInTheOrderOfTheWork) {
   std::vector<std::string> names;
   for (const Stage& stage : problem->stages()) names.push_back(stage.name);
   EXPECT_EQ(names, (std::vector<std::string>{"body",
+                                             "material",
                                              "points",
                                              "iterated Voronoi regions",
                                              "springs",

@@ -5,9 +5,10 @@
 ///
 /// A homogeneous stress σ pulls at the outline with the traction σ·n. Between neighbours p, q on the outline its
 /// resultant is t ∫ σ·n ds = t σ·(q_y − p_y, p_x − q_x), whatever the outline does between them; half goes to each
-/// node. So on a straight edge a node gets its tributary length, a corner half of a gap on each edge that it closes,
-/// and the forces of all outlines balance, torque included.
-/// Loads that share their supports and what is measured of them share a support group, and so a factorization.
+/// node. Of the basic loads t is the body's own thickness everywhere, also where a region of material has another: else
+/// their forces wouldn't balance. So on a straight edge a node gets its tributary length, a corner half of a gap on
+/// each edge that it closes, and the forces of all outlines balance, torque included. Loads that share their supports
+/// and what is measured of them share a support group, and so a factorization.
 ///
 /// Shapes   forces, reference, uncertainty, weights: [dimension · nodes], the axes of each node after the other.
 /// Units    forces N, displacements m.
@@ -81,6 +82,8 @@ enum class SupportStyle {
 ///
 /// Distances that agree within kPlaceRounding of the body's size are equal, and of equals the lowest index is taken.
 /// Refusal when an outline has fewer than two nodes, or, for `edge`, a held edge has: says which.
+/// std::invalid_argument where the material has no closed form under a load: of several materials or thicknesses, and
+/// `edge` shears of an orthotropic one that would stretch the held edge.
 [[nodiscard]] LoadSet make_basic_loads(const Net& net, const MaterialField& material, double stress,
                                        SupportStyle style);
 

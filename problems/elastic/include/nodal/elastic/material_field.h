@@ -18,6 +18,7 @@
 #include <variant>
 #include <vector>
 
+#include <nodal/elastic/body.h>
 #include <nodal/elastic/material.h>
 #include <nodal/elastic/point.h>
 
@@ -72,7 +73,7 @@ struct MaterialField {
   /// [1 + regions] of the body's area or volume, the body's own first; empty where nobody has asked.
   std::vector<double> shares = {};
 
-  /// kBodyRegion, or k for regions[k − 1]. Cost: the regions, polygons in log n.
+  /// kBodyRegion, or k for regions[k − 1]; asks region by region, polygons in log n.
   [[nodiscard]] std::size_t region_at(const Vector& place) const;
   [[nodiscard]] const Material& material_of(std::size_t region) const {
     return region == kBodyRegion ? base : regions[region - 1].material;
@@ -101,6 +102,9 @@ struct MaterialField {
 /// The borders of the regions within a box around the body, as segments; in the plane. What runs along the box's own
 /// border is left out, and what later regions hide is not.
 [[nodiscard]] std::vector<std::array<plane::Point, 2>> borders(const MaterialField& field, const Extent& box);
+
+/// The same within a body in the plane, with an outline.
+[[nodiscard]] std::vector<std::array<plane::Point, 2>> borders_within(const MaterialField& field, const Body& body);
 
 /// By axis the places of the faces of boxes that are inside a box around the body, ascending, each once; in space.
 [[nodiscard]] std::array<std::vector<double>, 3> border_planes(const MaterialField& field, const Extent& box);

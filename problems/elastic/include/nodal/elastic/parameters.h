@@ -13,6 +13,7 @@
 ///                   about the middle of its nodes under which nodes and springs come to lie on nodes and springs,
 ///                   found from the geometry (in space up to 48, of a cube). Of the net alone: loads, material and
 ///                   references may have less symmetry
+///     by-region     springs tied whose middles are in one region of material (region_rule)
 ///     listed        as a list says
 /// At a bound a stiffness is the bound itself, to the last bit: exp(ln k) is off by a rounding, and would lie outside.
 ///
@@ -29,6 +30,7 @@
 #include <vector>
 
 #include <nodal/elastic/bounds.h>
+#include <nodal/elastic/material_field.h>
 #include <nodal/elastic/net.h>
 
 namespace nodal::elastic {
@@ -54,6 +56,10 @@ struct SpringGroup {
 /// when no spring joins two nodes or two groups list it, and for groups without a name, without springs, or of one
 /// name.
 [[nodiscard]] ParameterRule listed_rule(const Net& net, const std::vector<SpringGroup>& groups);
+
+/// The rule `listed` with a group for each region that a spring's middle is in, the later one where several are, and
+/// one for what no region covers; their names are the regions', and "body". Refusal where there are no regions.
+[[nodiscard]] ParameterRule region_rule(const Net& net, const MaterialField& material);
 
 class Parameters {
  public:

@@ -18,19 +18,24 @@
 
 namespace nodal::elastic {
 
+/// Of several materials, and of orthotropic ones, a spring's E·t is that of the simplices at it: their mean, by area,
+/// each with the material at its centroid, and with E along the spring; what is at the middle of a spring that has
+/// none.
+
 /// `paper`: k = E·t·s0/4 (section 5.2); in space k = E·s0/4, whose dimension is right.
 [[nodiscard]] std::vector<double> paper_stiffness(const Net& net, const MaterialField& material);
 /// `area`: k = E·t·Σ(areas of the triangles at the spring)/L² (Van Gelder 1998). Springs that cross a side of two
 /// triangles count these two; a crossed grid, and a net with such flips, counts both kinds at half weight. Satisfies
-/// Σ k L² = 3 E A t. In space E·Σ(volumes of the tetrahedra at the spring)/L², Σ k L² = 6 E V. Refusal for a net that
-/// is neither a grid nor made of triangles.
+/// Σ k L² = 3 E A t of one isotropic material. In space E·Σ(volumes of the tetrahedra at the spring)/L², Σ k L² = 6 E
+/// V. Refusal for a net that is neither a grid nor made of triangles.
 [[nodiscard]] std::vector<double> area_stiffness(const Net& net, const MaterialField& material);
 /// `lattice`: what makes the net deform exactly as a body with ν' = 1/3 does. Each crossed square cell gives its sides
 /// and diagonals ⅜E't, so an axial spring gets ¾E't inside and ⅜E't on the outline; each equilateral triangle gives
 /// its sides (√3/4)E't, so a spring gets (√3/2)E't inside and half of that on the outline.
 /// In space, on cubes of side a with the diagonals of their faces: 0.4 E a for each spring, half of it on a face of the
 /// body and a quarter on an edge, exact at ν = ¼.
-/// Refusal unless the net is made of such cells, all of one size, that fill the body to its outline.
+/// Refusal unless the net is made of such cells, all of one size, that fill the body to its outline, and the body is of
+/// one isotropic material.
 [[nodiscard]] std::vector<double> lattice_stiffness(const Net& net, const MaterialField& material);
 
 /// Reads the springs of a system file, {"springs": [{"nodes": [i, j], "stiffness": k}, …]}, in any order; nodes by what
