@@ -2,6 +2,7 @@
 #include "finite_elements/converge.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <stdexcept>
@@ -16,12 +17,16 @@ namespace nodal::elastic::finite_elements {
 
 namespace {
 
-constexpr double kSafety = 2.0;
-constexpr double kLargestRatio = 8.0;                       // of quadratic elements where the solution is smooth
-constexpr double kSmallestRatio = 1.5;                      // less is no convergence
-constexpr double kAssumedRatio = 2.0;                       // with two meshes alone
-constexpr double kSmear = 0.1;                              // a place's difference may be small by chance
-constexpr double kRounding = 1e-10;                         // of the largest displacement, whatever the differences say
+// Part t of a difference may be left of a singular place, which falls by 2 at least, and hide in a smooth part that
+// falls by 8 or 16: then a ratio of 4 and more is observed for t up to 0.86, and the true error is up to t of the
+// difference.
+constexpr double kSafety = 2.5;
+constexpr double kLargestRatio = 4.0;
+constexpr double kSmallestRatio = 1.5;  // less is no convergence
+constexpr double kAssumedRatio = 2.0;   // with two meshes alone
+constexpr double kSmear = 0.1;          // a place's difference may be small by chance
+constexpr double kRounding = 1e-10;     // of the largest displacement, whatever the differences say
+constexpr std::array<double, 4> kFactorPower = {0.0, 0.0, 1.15, 4.0 / 3.0};  // entries of a factor, by unknowns
 constexpr double kAim = 0.5;                                // share of the tolerance that the next meshes aim at
 constexpr double kSmallestStep = 0.25, kLargestStep = 0.8;  // of the spacing, from meshes to the next ones
 
@@ -68,11 +73,18 @@ class Family {
     for (std::size_t i = 0; i < locations_.size(); ++i) locations_[i] = descended(mesh_, locations_[i], wanted_[i]);
   }
 
-  // How much the next refinement needs, by how much this one did.
-  double next_unknowns() const { return static_cast<double>(solution_.unknowns * children_per_cell(mesh_.dimension)); }
-  double next_factor_bytes() const {  // n log n in the plane, n^{4/3} in space, and some more
-    constexpr std::array<double, 4> kGrowth = {0.0, 0.0, 5.0, 16.0};
-    return solution_.factor_bytes * kGrowth[mesh_.dimension];
+  // What a mesh of so many times the unknowns needs: n log n in the plane, n^{4/3} in space.
+  double factor_bytes_after(double growth) const {
+    return solution_.factor_bytes * std::pow(growth, kFactorPower[mesh_.dimension]);
+  }
+  // By how much the spacing can be less within nearly all of what is allowed.
+  double smallest_step(const ConvergeSettings& settings) const {
+    constexpr double kNearly = 0.9;
+    const double by_unknowns =
+        kNearly * static_cast<double>(settings.unknown_limit) / static_cast<double>(solution_.unknowns);
+    const double by_bytes =
+        std::pow(kNearly * settings.factor_bytes_limit / solution_.factor_bytes, 1.0 / kFactorPower[mesh_.dimension]);
+    return std::pow(std::min(by_unknowns, by_bytes), -1.0 / static_cast<double>(mesh_.dimension));
   }
 
   std::size_t solved() const { return answers_.size(); }
@@ -82,9 +94,15 @@ class Family {
   Solution take_solution() { return std::move(solution_); }
   double outside() const { return outside_; }
 
-  LoadResult result(std::size_t load) const;
+  std::vector<LoadResult> results() const {
+    std::vector<LoadResult> loads;
+    for (std::size_t load = 0; load < solution_.loads.size(); ++load) loads.push_back(result(load));
+    return loads;
+  }
 
  private:
+  LoadResult result(std::size_t load) const;
+
   Mesh mesh_;
   const std::vector<Vector>& wanted_;
   std::vector<Location> locations_;
@@ -122,7 +140,7 @@ class Converging {
   ConvergeResult run() {
     const auto begin = std::chrono::steady_clock::now();
     double spacing = settings_.spacing;
-    while (!round(spacing)) spacing *= next_step();
+    while (!round(spacing)) spacing *= step_;
     result_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     return std::move(result_);
   }
@@ -132,20 +150,20 @@ class Converging {
   bool round(double spacing) {
     Family family(make_(spacing), wanted_);
     solve(family);
-    while (family.solved() < 3 && !too_large(family.next_unknowns(), family.next_factor_bytes())) {
+    const auto children = static_cast<double>(children_per_cell(family.mesh().dimension));
+    std::vector<LoadResult> loads;
+    while (family.solved() < 3 && !too_large(children * static_cast<double>(family.solution().unknowns),
+                                             family.factor_bytes_after(children))) {
       family.refine();
       solve(family);
-      keep(family, spacing);
-      if (result_.converged) break;
+      loads = family.results();
+      if (error_of(loads) <= settings_.tolerance) break;
     }
-    if (family.solved() < 2)
+    if (loads.empty() && result_.loads.empty())
       throw Refusal("the coarsest finite-element mesh leaves no room to refine it: " + result_.limit);
-    const bool done = result_.converged || family.solved() < 3 || !next_fits(family);
-    if (done) {
-      result_.mesh = family.take_mesh();
-      result_.solution = family.take_solution();
-    }
-    return done;
+    const bool may_go_on = family.solved() == 3 && error_of(loads) > settings_.tolerance && next_fits(family, loads);
+    if (!loads.empty()) keep_better(family, std::move(loads), spacing);
+    return !may_go_on;
   }
 
   void solve(Family& family) {
@@ -153,31 +171,32 @@ class Converging {
     ++result_.meshes;
   }
 
-  void keep(const Family& family, double spacing) {
-    result_.loads.clear();
-    for (std::size_t load = 0; load < family.solution().loads.size(); ++load)
-      result_.loads.push_back(family.result(load));
-    result_.converged = error() <= settings_.tolerance;
+  void keep_better(Family& family, std::vector<LoadResult> loads, double spacing) {
+    if (!result_.loads.empty() && error_of(loads) >= error_of(result_.loads)) return;
+    result_.loads = std::move(loads);
+    result_.converged = error_of(result_.loads) <= settings_.tolerance;
+    if (result_.converged) result_.limit.clear();
     result_.spacing = spacing;
     result_.farthest_outside = family.outside();
+    result_.mesh = family.take_mesh();
+    result_.solution = family.take_solution();
   }
 
-  double error() const {
+  static double error_of(const std::vector<LoadResult>& loads) {
     double largest = 0.0;
-    for (const LoadResult& load : result_.loads) largest = std::max(largest, load.error);
+    for (const LoadResult& load : loads) largest = std::max(largest, load.error);
     return largest;
   }
 
-  double next_step() const {
-    return std::clamp(std::cbrt(kAim * settings_.tolerance / error()), kSmallestStep, kLargestStep);
-  }
-
-  // Whether finer meshes of their own are within the limits.
-  bool next_fits(const Family& family) {
-    const auto dimension = static_cast<double>(family.mesh().dimension);
-    const double growth = std::pow(1.0 / next_step(), dimension);
-    return !too_large(growth * static_cast<double>(family.solution().unknowns),
-                      std::pow(growth, dimension / 2.0) * family.solution().factor_bytes);
+  // Sets step_ to how much finer the next mesh should be, or can; false when that is not worth it.
+  bool next_fits(const Family& family, const std::vector<LoadResult>& loads) {
+    const double wanted =
+        std::clamp(std::cbrt(kAim * settings_.tolerance / error_of(loads)), kSmallestStep, kLargestStep);
+    const double growth = std::pow(wanted, -static_cast<double>(family.mesh().dimension));
+    const bool fits =
+        !too_large(growth * static_cast<double>(family.solution().unknowns), family.factor_bytes_after(growth));
+    step_ = fits ? wanted : family.smallest_step(settings_);
+    return step_ <= kLargestStep;
   }
 
   bool too_large(double unknowns, double factor_bytes) {
@@ -196,6 +215,7 @@ class Converging {
   const std::vector<Vector>& wanted_;
   const ConvergeSettings& settings_;
   ConvergeResult result_;
+  double step_ = 1.0;
 };
 
 }  // namespace

@@ -5,10 +5,10 @@
 ///
 /// A mesh M, graded by whoever makes it, is refined regularly to M' and M''. Halved everywhere, smooth parts of the
 /// error fall by 8 or more, and what is left of a singular place by 2^{2λ} > 2, so the differences of the three answers
-/// tell both. With q the observed ratio of a load's largest differences, taken as at most 8, the error of M'' is
+/// tell both. With q the observed ratio of a load's largest differences, taken as at most 4, the error of M'' is
 /// estimated at each wanted place as
 ///
-///   e(x) = 2 max(|u''(x) − u'(x)|, a tenth of the largest |u'' − u'|) / (q − 1)
+///   e(x) = 2.5 max(|u''(x) − u'(x)|, a tenth of the largest |u'' − u'|) / (q − 1)
 ///
 /// The displacements of M'' themselves are returned: extrapolated ones would be better by an amount that nobody knows.
 /// Where the difference of M' and M itself is within the tolerance, it is the estimate, and M'' isn't made. Where the

@@ -30,7 +30,7 @@ class Locator {
   /// The cell that a place is in; of none, for a place that rounding or a rounded outline leaves outside, the nearest:
   /// the one with the smallest `distance`.
   [[nodiscard]] Location locate(const Vector& place) const;
-  /// How far outside of its cell a location is, 0 inside: the largest distance to a side's plane.
+  /// How far outside of its cell a location is, at least, and 0 inside: the largest distance to a side's plane.
   [[nodiscard]] static double distance(const Mesh& mesh, const Location& location);
 
  private:

@@ -84,10 +84,19 @@ class Builder {
   void add_crossings() {
     for (std::size_t i = sides_; i < lines_.size(); ++i)
       for (std::size_t j = 0; j < i; ++j) {
+        if (overlap(lines_[i], lines_[j])) continue;
         const Point &p = at(lines_[i].first), &q = at(lines_[i].last);
         if (const auto share = crossing(p, q, at(lines_[j].first), at(lines_[j].last)))
           place_at(plane::at_share(p, q, *share));
       }
+  }
+
+  // Along each other, or one's end on the other: then they have that in common, and no crossing besides.
+  bool overlap(const Line& a, const Line& b) const {
+    const auto near = [&](std::size_t place, const Line& line) {
+      return plane::distance_to_segment(at(place), at(line.first), at(line.last)) <= tolerance_;
+    };
+    return near(a.first, b) || near(a.last, b) || near(b.first, a) || near(b.last, a);
   }
 
   // Where other places are on it. Rings are taken as valid: their own vertices don't cut their sides.

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Bodies whose displacements are known in closed form: how fast the elements converge, and whether the error that is
+// stated is the true one or a little more.
+#include <gtest/gtest.h>
+
+#include <nodal/error.h>
+
+#include "bodies.h"
+#include "fields.h"
+#include "finite_elements/block_mesh.h"
+#include "finite_elements/converge.h"
+#include "finite_elements/locator.h"
+
+namespace nodal::elastic::finite_elements {
+namespace {
+
+const Compliance kMaterial = isotropic(2.0, 0.3);
+constexpr double kShear = 2.0 / (2.0 * 1.3);
+
+struct Case {
+  std::string name;
+  MeshMaker make;
+  Field field;
+  std::set<std::size_t> labels;
+  std::vector<Vector> rest, wanted;  // where it is put in its place, and where it is asked for
+  double spacing, tolerance;
+};
+
+MeshMaker maker(const PlaneBody& body) {
+  return [body](double spacing) { return plane_mesh(body, spacing); };
+}
+
+bool everywhere(const Vector&) { return true; }
+
+Case smooth() {
+  PlaneBody body;
+  body.rings = {rectangle(0, 0, 2, 1)};
+  return {"exponential field in a rectangle", maker(body), exponential_field(kShear), {0, 1, 2, 3},
+          {{0, 0, 0}, {2, 0, 0}}, grid({0, 0, 0}, {2, 1, 0}, 11, everywhere), 0.5, 1e-6};
+}
+
+Case ring() {
+  PlaneBody body;
+  body.rings = {circle(2.0, 48, 0, false), circle(1.0, 48, 1, true)};
+  const auto& outer = body.rings[0].points;
+  return {"pressure in a ring", maker(body), ring_field(2.0, 0.3, 1.0, 2.0, 1.0), {0, 1}, {lifted(outer[23]), lifted(outer[0])},
+          grid({-2, -2, 0}, {2, 2, 0}, 31, [](const Vector& x) { return norm(x) < 1.98 && norm(x) > 1.0; }), 0.6, 1e-5};
+}
+
+Case hole() {
+  PlaneBody body;
+  body.rings = {rectangle(-4, -4, 4, 4), circle(1.0, 48, 4, true)};
+  return {"a hole in a pulled plate", maker(body), hole_field(2.0, 0.3, 1.0), {0, 1, 2, 3, 4}, {{-4, -4, 0}, {4, -4, 0}},
+          grid({-4, -4, 0}, {4, 4, 0}, 21, [](const Vector& x) { return norm(x) > 1.0; }), 2.0, 1e-4};
+}
+
+Case notch(bool graded) {
+  const auto at = [](double p, double q) {  // axes turned so that the notch's faces lie at ±135°
+    return plane::Point{(p - q) * std::numbers::sqrt2 / 2.0, (p + q) * std::numbers::sqrt2 / 2.0};
+  };
+  PlaneBody body;
+  body.rings = {numbered({at(0, 0), at(-1, 0), at(-1, -1), at(1, -1), at(1, 1), at(0, 1)})};
+  if (graded) body.graded = {{0, 0}};
+  std::vector<Vector> wanted;
+  for (const double p : {-0.75, -0.5, -0.25, 0.25, 0.5, 0.75, 1.0})
+    for (const double q : {-1.0, -0.6, -0.2, 0.3, 0.7})
+      if (p > 0.0 || q < 0.0) wanted.push_back(lifted(at(p, q)));
+  return {graded ? "a notch, graded" : "a notch, not graded", maker(body), notch_field(2.0, 0.3), {1, 2, 3, 4},
+          {lifted(at(-1, -1)), lifted(at(1, -1))}, wanted, 0.5, graded ? 1e-5 : 1e-2};
+}
+
+Case block() {
+  const Block box = {.box = {{0, 0, 0}, {1, 1, 1}}};
+  std::vector<Vector> wanted = grid({0, 0, 0.3}, {1, 1, 0.3}, 6, everywhere);
+  for (const Vector& x : grid({0, 0, 1}, {1, 1, 1}, 4, everywhere)) wanted.push_back(x);
+  return {"exponential field in a block", [box](double spacing) { return block_mesh(box, spacing); },
+          exponential_field_in_space(kShear), {0, 1, 2, 3, 4, 5}, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, wanted, 0.5, 1e-3};
+}
+
+Problem problem_of(const Case& c, const Mesh& mesh) {
+  return pulled_as(c.field, {kMaterial}, mesh.dimension, c.labels, c.rest);
+}
+
+// Stated over true.
+double excess(const Case& c) {
+  const ConvergeResult result =
+      converge(c.make, problem_of(c, c.make(c.spacing)), c.wanted, {.spacing = c.spacing, .tolerance = c.tolerance});
+  EXPECT_TRUE(result.converged) << c.name << ": " << result.limit;
+  EXPECT_LE(result.loads[0].error, c.tolerance);
+  EXPECT_LT(result.loads[0].borne_by_places, 1e-6) << c.name;
+  const double truth = true_error(result.loads[0].displacements, c.wanted, c.field);
+  EXPECT_GT(truth, 0.0);
+  std::printf("%s: stated %.2e, true %.2e, ratio %.2f, %zu unknowns, %.2f s\n", c.name.c_str(), result.loads[0].error,
+              truth, result.loads[0].ratio, result.solution.unknowns, result.seconds);
+  return result.loads[0].error / truth;
+}
+
+TEST(ErrorEstimate, IsNeverBelowTheTrueErrorAndSeldomFarAboveIt) {
+  int near = 0;
+  for (const Case& c : {smooth(), ring(), hole(), notch(true), block()}) {
+    const double stated = excess(c);
+    EXPECT_GE(stated, 1.0) << c.name;
+    if (stated <= 10.0) ++near;
+  }
+  EXPECT_GE(near, 4);
+}
+
+TEST(ErrorEstimate, HoldsWhereNobodyGraded) { EXPECT_GE(excess(notch(false)), 1.0); }
+
+// Halving what is smooth must divide the error by 2^2.7 at least; of the third order it is in theory.
+TEST(ErrorEstimate, DisplacementsConvergeByTheThirdOrder) {
+  for (const Case& c : {smooth(), ring(), block()}) {
+    Mesh mesh = c.make(c.spacing);
+    std::vector<double> errors;
+    for (int level = 0; level < 3; ++level) {
+      if (level > 0) mesh = refined(mesh);
+      const Solution solution = solve(mesh, problem_of(c, mesh));
+      const Locator locator(mesh);
+      std::vector<Vector> found;
+      for (const Vector& x : c.wanted)
+        found.push_back(interpolated(mesh, locator.locate(x), solution.loads[0].displacement));
+      errors.push_back(true_error(found, c.wanted, c.field));
+    }
+    EXPECT_GT(std::log2(errors[1] / errors[2]), 2.7) << c.name << " " << errors[1] << " " << errors[2];
+  }
+}
+
+TEST(Converge, SaysWhyItCameToNoEnd) {
+  const Case c = notch(false);
+  const Problem problem = problem_of(c, c.make(c.spacing));
+  const ConvergeResult result =
+      converge(c.make, problem, c.wanted, {.spacing = 0.5, .tolerance = 1e-9, .unknown_limit = 2000});
+  EXPECT_FALSE(result.converged);
+  EXPECT_NE(result.limit.find("of at most 2e+03"), std::string::npos) << result.limit;
+  EXPECT_GE(result.loads[0].error, true_error(result.loads[0].displacements, c.wanted, c.field));
+  EXPECT_LE(result.solution.unknowns, 2000u);
+  EXPECT_THROW((void)converge(c.make, problem, c.wanted, {.spacing = 0.5, .unknown_limit = 10}), Refusal);
+}
+
+}  // namespace
+}  // namespace nodal::elastic::finite_elements
