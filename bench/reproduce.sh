@@ -53,11 +53,11 @@ for topology in crossed single alternating; do evaluate fig03 $topology fig03-$t
 evaluate fig04 "edges held" fig04
 evaluate fig04 "rigid motions held" fig05
 evaluate fig07 cube fig07
-for study in fig08 fig09; do
+for study in fig08 fig09 fig10 fig11; do
   evaluate $study "start as printed" $study-before
   fit $study "start as printed" annealing $study-after
 done
 echo "tables"
-for study in fig02 fig07 fig08 fig09 schedule gradients; do compare $study; done
+for study in fig02 fig07 fig08 fig09 fig10 fig11 schedule gradients; do compare $study; done
 [ -n "$less" ] || "$figure12" "$page"
 echo "written: $page, $pictures"

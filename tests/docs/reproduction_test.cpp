@@ -85,15 +85,15 @@ class Reproduction : public testing::TestWithParam<const char*> {
 };
 class ReproducedRatio : public Reproduction {};
 
-// Medians of fifteen annealings and of five differ by up to 3 %; another compiler's paths by as much again. The counts
-// of methods that grope for the last digits differ by more, and aren't compared.
+// Another compiler's or processor's annealings take other paths: medians of fifteen then differ by up to 10 %, those of
+// Figure 10. The counts of methods that grope for the last digits differ by more, and aren't compared.
 TEST_P(Reproduction, TablesHaveWhatTheStudiesGive) {
   const std::string name = GetParam();
   Rows page = marked_rows(read_page("reproduction.md"), paper_study(name));
-  Rows made = rows_of(figure_table(run(study_of(name), 5)));
+  Rows made = rows_of(figure_table(run(study_of(name), 15)));
   for (Rows* rows : {&page, &made})
     for (auto& row : *rows) row.pop_back();
-  expect_alike(page, made, 0.06);
+  expect_alike(page, made, 0.15);
 }
 
 // What the paper prints is reached by its own method with its own schedule, from its own start.
@@ -109,10 +109,32 @@ TEST_P(ReproducedRatio, IsAtLeastThePapers) {
 }
 
 std::string name_of(const testing::TestParamInfo<const char*>& figure) { return figure.param; }
-INSTANTIATE_TEST_SUITE_P(Figures, Reproduction, testing::Values("fig07", "fig08", "fig09"), name_of);
-INSTANTIATE_TEST_SUITE_P(Figures, ReproducedRatio, testing::Values("fig08", "fig09"), name_of);
+INSTANTIATE_TEST_SUITE_P(Figures, Reproduction, testing::Values("fig07", "fig08", "fig09", "fig10", "fig11"), name_of);
+INSTANTIATE_TEST_SUITE_P(Figures, ReproducedRatio, testing::Values("fig08", "fig09", "fig10"), name_of);
 
 class ReproductionPage : public Reproduction {};
+
+double median_error(const ProblemTable& table, const std::string& label) {
+  return std::ranges::find(table.rows, label, &OptimizerRow::label)->relative_error->median;
+}
+
+// The other methods agree on Figure 11's best; Figure 10 has two minima, half a percent apart, and more above them.
+TEST_F(ReproductionPage, FindsThatTheAnnealingComesNearTheBestOfOtherMaterials) {
+  const report::ReportData fig10 = run(study_of("fig10"), 7), fig11 = run(study_of("fig11"), 3);
+  // By a program of another kind: closed forms and E along each spring for the one, finite elements of another order
+  // for the other, as measured displacements; 198.1228487 and 71.28446.
+  EXPECT_NEAR(*fig10.problems.at(0).table.start_quality, 198.1228487, 1e-7);
+  EXPECT_NEAR(*fig11.problems.at(0).table.start_quality, 71.28446, 1e-3);
+  const ProblemTable& better_start = fig10.problems.at(1).table;
+  EXPECT_LT(median_error(better_start, "annealing, changes of 5 %, 4e temperatures"),
+            1.3 * median_error(better_start, "gauss-newton"));
+  for (const report::ProblemReport& problem : fig11.problems) {
+    const double best = median_error(problem.table, "gauss-newton");
+    EXPECT_LT(best, 0.007);
+    EXPECT_NEAR(median_error(problem.table, "ceres-levenberg-marquardt"), best, 1e-3 * best);
+    EXPECT_LT(median_error(problem.table, "annealing"), 1.2 * best);
+  }
+}
 
 TEST_F(ReproductionPage, HasTheScheduleAsItIs) {
   Study study = study_of("schedule");
@@ -130,17 +152,12 @@ TEST_F(ReproductionPage, FindsThatTheStepMattersAndTheTemperatureDoesNot) {
                         optimizer.label != "changes of 5 %" && optimizer.label != "changes of 100 %";
   const report::ReportData data = run(study, 7);
   for (const report::ProblemReport& problem : data.problems) {
-    const auto error = [&](const std::string& label) {
-      return std::ranges::find(problem.table.rows, label, &OptimizerRow::label)->relative_error->median;
-    };
+    const auto error = [&](const std::string& label) { return median_error(problem.table, label); };
     EXPECT_NEAR(error("no temperature") / error("as printed"), 1.0, 0.05) << problem.table.reference.label;
     EXPECT_GT(error("changes of 100 %"), 1.05 * error("as printed")) << problem.table.reference.label;
   }
-  const auto& rows = data.problems.front().table.rows;
-  const auto of = [&](const std::string& label) {
-    return std::ranges::find(rows, label, &OptimizerRow::label)->relative_error->median;
-  };
-  EXPECT_GT(of("changes of 100 %"), 1.5 * of("changes of 5 %"));
+  const ProblemTable& plate = data.problems.front().table;
+  EXPECT_GT(median_error(plate, "changes of 100 %"), 1.5 * median_error(plate, "changes of 5 %"));
 }
 
 // Before over after of the best fit at some ν, from the paper's start or that at its best factor.
