@@ -65,7 +65,7 @@ TEST(References, OfFiniteElementsAgreeWithClosedFormsWhereBothExist) {
       "= "
       "5 }\nsprings = { topology = \"delaunay\" }\n");
   expect_agreement(
-      "body = { shape = \"ring\", radius = 2, hole = 1 }\npoints = { layout = \"voronoi\", total = 80, iterations = 5 "
+      "body = { shape = \"ring\", radius = 2, inner_radius = 1 }\npoints = { layout = \"voronoi\", total = 80, iterations = 5 "
       "}\nsprings = { topology = \"delaunay\" }\n");
 }
 
@@ -94,7 +94,7 @@ TEST(References, AreToldWithTheirEstimatedError) {
 TEST(References, AreFinerWhereATighterToleranceIsAskedFor) {
   const auto usual = read(kShear), fine = read("reference = { tolerance = 1e-6 }\n" + std::string(kShear));
   ASSERT_TRUE(fine->reference_error());
-  EXPECT_LE(*fine->reference_error(), 0.1 * *usual->reference_error());
+  EXPECT_LE(*fine->reference_error(), 0.2 * *usual->reference_error());
   EXPECT_LE(difference(usual->scene().loads, fine->scene().loads), kTolerance);
 }
 
