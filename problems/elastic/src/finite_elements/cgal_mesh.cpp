@@ -197,6 +197,13 @@ void append_sides(const Triangulation& made, const PlaneGraph& graph, LinearMesh
   }
 }
 
+SizeField size_field(const PlaneBody& body, double spacing) {
+  SizeField size(spacing, kGradingReach * size_of(body));
+  for (const plane::Point& p : body.graded) size.grade(p, kGrading);
+  for (const LabelledRing& ring : body.rings) size.grade_corners(ring.points);
+  return size;
+}
+
 }  // namespace
 
 bool plane_meshes_available() noexcept { return true; }
@@ -206,7 +213,7 @@ Mesh plane_mesh(const PlaneBody& body, double spacing) {
   const PlaneGraph graph = plane_graph(body);
   Triangulation made = triangulated(graph);
   mark_body(made, body.rings);
-  refine(made, {spacing, kGradingReach * size_of(body), kGrading, body.graded}, body.cell_limit);
+  refine(made, size_field(body, spacing), body.cell_limit);
   LinearMesh mesh;
   for (const plane::Point& p : graph.places) mesh.vertices.push_back(lifted(p));
   append_cells(made, body, mesh);

@@ -40,18 +40,18 @@ struct PlaneBody {
   std::vector<Segment> interfaces = {};
   std::vector<plane::Point> vertices = {};                ///< further places, inside the body, that must be vertices
   std::function<std::size_t(const Vector&)> region = {};  ///< of a cell's centre; 0 everywhere without it
-  /// Where the solution is singular: corners of more than 180°, ends of supports, singular_interface_places, and
-  /// corners where a traction along one side isn't met by the same shear on the other.
+  /// Where the solution is singular for other reasons than a corner that turns inwards: ends of supports,
+  /// singular_interface_places, and corners where a traction along one side isn't met by the same shear on the other.
   std::vector<plane::Point> graded = {};
   double tolerance = 0.0;  ///< of interfaces; 0: 1e-6 of the body's size
   std::size_t cell_limit = 1'000'000;
 };
 
-/// An edge may be spacing · min(1, (d/R)^β) long, d the distance of its triangle from the nearest graded place,
-/// R = kGradingReach of the body's size. Triangles at such a place are then R·(spacing/R)^{1/(1−β)} long: quadratic
-/// elements converge there as fast as elsewhere for displacements that grow like d^λ, λ > 1/2.
-inline constexpr double kGrading = 0.75;  // β
-inline constexpr double kGradingReach = 0.5;
+/// An edge may be spacing · min(1, (d/R)^β) long, d the distance of its triangle from the nearest singular place,
+/// R = kGradingReach of the body's size. β is kGrading at places of `graded`, enough for displacements that grow like
+/// d^λ with any λ > 1/2, and by itself less at every corner that turns inwards, by its angle (size_field.h).
+inline constexpr double kGrading = 0.7;
+inline constexpr double kGradingReach = 0.25;
 
 [[nodiscard]] Mesh plane_mesh(const PlaneBody& body, double spacing);
 

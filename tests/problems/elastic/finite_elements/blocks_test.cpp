@@ -41,7 +41,8 @@ TEST(FiniteElementBlocks, AgreeWithClosedForms) {
   const Group clamped{{{low_y, 0}, {low_y, 1}, {low_y, 2}}, {shear}};
   const auto bent_at = [](const Vector& p) {
     const Vector x = p - Vector{1.5, 1.0, 0.5};
-    return Vector{x[0] * x[1] / 2.0, -(x[0] * x[0] + 0.3 * (x[1] * x[1] - x[2] * x[2])) / 4.0, -0.3 * x[1] * x[2] / 2.0};
+    return Vector{x[0] * x[1] / 2.0, -(x[0] * x[0] + 0.3 * (x[1] * x[1] - x[2] * x[2])) / 4.0,
+                  -0.3 * x[1] * x[2] / 2.0};
   };
   Group resting{{}, {bending}};
   const std::vector<Vector> rest = {{0, 0, 0}, {3, 0, 0}, {0, 2, 0}};
@@ -66,13 +67,14 @@ TEST(FiniteElementBlocks, CantileverBendsAsABeam) {
   Block beam = {.box = {{0, 0, 0}, {10, 1, 1}}, .planes = {{{}, {0.5}, {0.5}}}};
   const std::size_t low = face_label(0, false);
   const Group group{{{low, 0}, {low, 1}, {low, 2}}, {{{{face_label(0, true), Vector{0, 0, -1e-3}}}}}};
-  const ConvergeResult result = converge([&](double h) { return block_mesh(beam, h); }, {{{isotropic(1.0, 0.3)}}, {group}},
-                                         {{10, 0.5, 0.5}, {5, 0.5, 0.5}}, {.spacing = 1.0, .tolerance = 3e-3});
+  const ConvergeResult result =
+      converge([&](double h) { return block_mesh(beam, h); }, {{{isotropic(1.0, 0.3)}}, {group}},
+               {{10, 0.5, 0.5}, {5, 0.5, 0.5}}, {.spacing = 1.0, .tolerance = 3e-3});
   EXPECT_TRUE(result.converged);
   const double tip = 1e-3 * 1000.0 / (3.0 / 12.0) + 1.2 * 1e-3 * 10.0 * 2.6;
   EXPECT_NEAR(-result.loads[0].displacements[0][2], tip, 0.01 * tip);
-  EXPECT_NEAR(-result.loads[0].displacements[1][2], 1e-3 * (10.0 * 25.0 / 2.0 - 125.0 / 6.0) * 12.0 + 1.2e-3 * 5.0 * 2.6,
-              0.01 * tip);
+  EXPECT_NEAR(-result.loads[0].displacements[1][2],
+              1e-3 * (10.0 * 25.0 / 2.0 - 125.0 / 6.0) * 12.0 + 1.2e-3 * 5.0 * 2.6, 0.01 * tip);
   std::printf("tip %.6f beam %.6f unknowns %zu seconds %.2f\n", -result.loads[0].displacements[0][2], tip,
               result.solution.unknowns, result.seconds);
 }

@@ -70,8 +70,8 @@ void expect_reference(const Value& one, const PlaneBody& body, const std::vector
     EXPECT_LE(difference / largest, std::max(5e-4, stated)) << load;
     EXPECT_LE(difference / largest, stated + result.loads[load].error) << load;  // the two bounds meet
     EXPECT_LT(result.loads[load].borne_by_places, 1e-6);
-    std::printf("load %zu: difference %.1e, stated %.1e, theirs %.1e, %zu unknowns, %.2f s\n", load, difference / largest,
-                result.loads[load].error, stated, result.solution.unknowns, result.seconds);
+    std::printf("load %zu: difference %.1e, stated %.1e, theirs %.1e, %zu unknowns, %.2f s\n", load,
+                difference / largest, result.loads[load].error, stated, result.solution.unknowns, result.seconds);
   }
 }
 
@@ -109,8 +109,8 @@ Group membrane_loads(const std::vector<Vector>& pulls) {
 TEST(CooksMembrane, TipInPlaneStressIsThePublishedOne) {
   const PlaneBody body = membrane();
   const auto make = [&](double h) { return plane_mesh(body, h); };
-  const ConvergeResult stress =
-      converge(make, {{{isotropic(1.0, 1.0 / 3.0)}}, {membrane_loads({{0, 1.0 / 16.0, 0}})}}, {{48, 52, 0}}, {.spacing = 8.0});
+  const ConvergeResult stress = converge(make, {{{isotropic(1.0, 1.0 / 3.0)}}, {membrane_loads({{0, 1.0 / 16.0, 0}})}},
+                                         {{48, 52, 0}}, {.spacing = 8.0});
   EXPECT_NEAR(stress.loads[0].displacements[0][1], 23.96, 1e-3 * 23.96);
 }
 
@@ -150,7 +150,8 @@ TEST(CooksMembrane, DisplacementsAreThoseOfNineNodeElements) {
   for (const auto& row : rows["shear"]) nodes.push_back({row[0], row[1], 0.0});
   const PlaneBody body = membrane();
   const Problem problem{{{isotropic(1.0, 1.0 / 3.0)}}, {membrane_loads({{0, 0.0625, 0}, {0.0625, 0, 0}})}};
-  const ConvergeResult result = converge([&](double h) { return plane_mesh(body, h); }, problem, nodes, {.spacing = 8.0});
+  const ConvergeResult result =
+      converge([&](double h) { return plane_mesh(body, h); }, problem, nodes, {.spacing = 8.0});
   const std::array<std::string, 2> names = {"shear", "pull"};
   for (std::size_t load = 0; load < 2; ++load) {
     double difference = 0.0;
@@ -159,7 +160,8 @@ TEST(CooksMembrane, DisplacementsAreThoseOfNineNodeElements) {
       difference = std::max(difference, distance({row[2], row[3], 0.0}, result.loads[load].displacements[i]));
     }
     EXPECT_LE(difference / result.loads[load].largest, 5e-4) << names[load];
-    std::printf("%s %.2e stated %.2e\n", names[load].c_str(), difference / result.loads[load].largest, result.loads[load].error);
+    std::printf("%s %.2e stated %.2e\n", names[load].c_str(), difference / result.loads[load].largest,
+                result.loads[load].error);
   }
 }
 

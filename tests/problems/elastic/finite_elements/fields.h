@@ -4,7 +4,8 @@
 /// Materials, and displacements of bodies that are known in closed form with the stresses that belong to them.
 ///
 /// A body of any shape has one of these displacements exactly when its border is pulled by that stress (and, where that
-/// is not in equilibrium, forces in the body make up for it), and three or six freedoms are put where the field has them.
+/// is not in equilibrium, forces in the body make up for it), and three or six freedoms are put where the field has
+/// them.
 
 #include <cmath>
 #include <functional>
@@ -149,8 +150,7 @@ inline Field notch_field(double young, double poisson) {
             const double c1 = std::cos((l - 1.0) * t), c3 = std::cos((l - 3.0) * t), s1 = std::sin((l - 1.0) * t),
                          s3 = std::sin((l - 3.0) * t);
             return tensor(c * ((2.0 - q * (l + 1.0)) * c1 - (l - 1.0) * c3),
-                          c * ((2.0 + q * (l + 1.0)) * c1 + (l - 1.0) * c3),
-                          c * ((l - 1.0) * s3 + q * (l + 1.0) * s1));
+                          c * ((2.0 + q * (l + 1.0)) * c1 + (l - 1.0) * c3), c * ((l - 1.0) * s3 + q * (l + 1.0) * s1));
           }};
 }
 

@@ -34,9 +34,11 @@ double area_of(const Mesh& mesh, std::size_t label) {
   for (std::size_t s = 0; s < mesh.side_count(); ++s) {
     if (mesh.side_label[s] != label) continue;
     const auto nodes = mesh.side(s);
-    const Vector twice = cross(mesh.nodes[nodes[1]] - mesh.nodes[nodes[0]], mesh.nodes[nodes[2]] - mesh.nodes[nodes[0]]);
+    const Vector twice =
+        cross(mesh.nodes[nodes[1]] - mesh.nodes[nodes[0]], mesh.nodes[nodes[2]] - mesh.nodes[nodes[0]]);
     for (std::size_t axis = 0; axis < 3; ++axis) sum[axis] += 0.5 * twice[axis];
-    for (const std::size_t node : nodes) EXPECT_NE(std::ranges::find(mesh.cell(mesh.side_cell[s]), node), mesh.cell(mesh.side_cell[s]).end());
+    for (const std::size_t node : nodes)
+      EXPECT_NE(std::ranges::find(mesh.cell(mesh.side_cell[s]), node), mesh.cell(mesh.side_cell[s]).end());
   }
   EXPECT_NEAR(norm(sum), std::abs(sum[label / 2]), 1e-12);
   return label % 2 == 1 ? sum[label / 2] : -sum[label / 2];
@@ -127,7 +129,9 @@ std::string refusal_of(const Problem& problem) {
 
 TEST(FiniteElementSolve, RefusesWhatHasNoSolution) {
   EXPECT_NE(refusal_of(held({{std::size_t{0}, 0}})).find("free to move"), std::string::npos);
-  EXPECT_NE(refusal_of(held({{Vector{1.0, 2.0, 3.0}, 0}, {Vector{1.0, 2.0, 3.0}, 1}, {Vector{1.0, 2.0, 3.0}, 2}})).find("free to move"), std::string::npos);
+  EXPECT_NE(refusal_of(held({{Vector{1.0, 2.0, 3.0}, 0}, {Vector{1.0, 2.0, 3.0}, 1}, {Vector{1.0, 2.0, 3.0}, 2}}))
+                .find("free to move"),
+            std::string::npos);
   EXPECT_NE(refusal_of(held({{Vector{1.1, 2.0, 3.0}, 0}})).find("no vertex"), std::string::npos);
   const std::vector<Prescribed> clamped = {{std::size_t{0}, 0}, {std::size_t{0}, 1}, {std::size_t{0}, 2}};
   EXPECT_EQ(refusal_of(held(clamped)), "");
@@ -152,8 +156,12 @@ TEST(FiniteElementSolve, CallersErrorsAreNone) {
 // A place that holds what pulls at the body is singular, and its force is told.
 TEST(FiniteElementSolve, SaysWhatPlacesBear) {
   const Mesh mesh = block_mesh(kBlock, 0.5);
-  Problem problem = held({{Vector{1.0, 2.0, 3.0}, 0}, {Vector{1.0, 2.0, 3.0}, 1}, {Vector{1.0, 2.0, 3.0}, 2},
-                          {Vector{3.0, 2.0, 3.0}, 1}, {Vector{3.0, 2.0, 3.0}, 2}, {Vector{1.0, 3.0, 3.0}, 2}});
+  Problem problem = held({{Vector{1.0, 2.0, 3.0}, 0},
+                          {Vector{1.0, 2.0, 3.0}, 1},
+                          {Vector{1.0, 2.0, 3.0}, 2},
+                          {Vector{3.0, 2.0, 3.0}, 1},
+                          {Vector{3.0, 2.0, 3.0}, 2},
+                          {Vector{1.0, 3.0, 3.0}, 2}});
   problem.groups[0].loads[0].tractions = {{1, Vector{1.0, 0.0, 0.0}}};
   const double borne = solve(mesh, problem).loads[0].borne_by_places;
   EXPECT_NEAR(borne, 0.25, 0.1);  // all of the pull, in a sum of that, its bearing and what holds the turning

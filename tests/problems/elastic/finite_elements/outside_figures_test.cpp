@@ -22,8 +22,7 @@ TEST(OutsideFigures, KirschsHoleThreefoldsTheStress) {
   body.rings = {rectangle(-4, -4, 4, 4), circle(1.0, 512, 4, true)};
   const Mesh mesh = plane_mesh(body, 0.5);
   const Field field = hole_field(1.0, 0.3, 1.0);
-  const Problem problem =
-      pulled_as(field, {isotropic(1.0, 0.3)}, 2, {0, 1, 2, 3}, {{-4, -4, 0}, {4, -4, 0}});
+  const Problem problem = pulled_as(field, {isotropic(1.0, 0.3)}, 2, {0, 1, 2, 3}, {{-4, -4, 0}, {4, -4, 0}});
   const double apothem = std::cos(std::numbers::pi / 512.0);
   const double top = stress_in(mesh, problem, {0.0, apothem, 0.0})[0][0];
   EXPECT_NEAR(top, 3.0, 0.06);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Fields that quadratic simplices have exactly, on meshes of any shape: linear and quadratic ones, whatever the material.
+// Fields that quadratic simplices have exactly, on meshes of any shape: linear and quadratic ones, whatever the
+// material.
 #include <gtest/gtest.h>
 
 #include "fields.h"
@@ -10,7 +11,8 @@
 namespace nodal::elastic::finite_elements {
 namespace {
 
-// Of the unit square, triangles of all shapes: a grid whose inner vertices are moved. Sides 0 to 3 from the lower one on.
+// Of the unit square, triangles of all shapes: a grid whose inner vertices are moved. Sides 0 to 3 from the lower one
+// on.
 Mesh moved_grid(std::size_t n, double most = 0.3) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> move(-most, most);
@@ -37,9 +39,7 @@ Mesh moved_grid(std::size_t n, double most = 0.3) {
   return quadratic(mesh);
 }
 
-Mesh block() {
-  return block_mesh({.box = {{0.0, 0.0, 0.0}, {1.0, 1.0, 1.0}}, .planes = {{{0.3}, {}, {0.45}}}}, 0.6);
-}
+Mesh block() { return block_mesh({.box = {{0.0, 0.0, 0.0}, {1.0, 1.0, 1.0}}, .planes = {{{0.3}, {}, {0.45}}}}, 0.6); }
 
 // Any material: the inverse of a random positive definite matrix, with what the plane hasn't left out.
 Compliance random_compliance(std::mt19937& random, std::size_t dimension) {
@@ -160,8 +160,7 @@ TEST(FiniteElementPatch, LinearAndQuadraticFieldsAreExactInSpace) {
   std::mt19937 random(2);
   for (const bool quadratic_part : {false, true})
     for (int k = 0; k < 3; ++k)
-      expect_exact(block(), Polynomial(random, 3, quadratic_part),
-                   {{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}});
+      expect_exact(block(), Polynomial(random, 3, quadratic_part), {{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}});
 }
 
 TEST(FiniteElementPatch, RefinedMeshesAreAsExact) {

@@ -38,17 +38,19 @@ TEST(PlaneGraph, InterfacesAreCutAtBordersAndEachOther) {
   EXPECT_EQ(graph.interfaces.size(), 1u + 2u + 2u);
   EXPECT_EQ(graph.border.size(), 8u + 6u);
   EXPECT_DOUBLE_EQ(length_of(graph, graph.border), 16.0 + 4.0);
-  EXPECT_EQ(std::ranges::count(graph.label, 0u), 2);  // halves keep their side's label
+  EXPECT_EQ(std::ranges::count(graph.label, 0u), 2);      // halves keep their side's label
   EXPECT_EQ(singular_interface_places(body).size(), 7u);  // six at the border, and the crossing
 }
 
 TEST(PlaneGraph, WhatLiesAlongASideOrIsRepeatedIsLeftOut) {
   PlaneBody body = square();
   const double off = 1e-7;  // as far as people's six digits are
-  body.interfaces = {{{0.5, off}, {3.5, -off}}, {{1 + off, 0.5}, {1 - off, 3}}, {{3, 0}, {3, 4}}, {{3, 1}, {3 + off, 3}}};
+  body.interfaces = {
+      {{0.5, off}, {3.5, -off}}, {{1 + off, 0.5}, {1 - off, 3}}, {{3, 0}, {3, 4}}, {{3, 1}, {3 + off, 3}}};
   const PlaneGraph graph = plane_graph(body);
-  EXPECT_NEAR(length_of(graph, graph.interfaces), 0.5 + 1.0 + 4.0, 1e-6);  // above and below the hole's side, and once x = 3
-  EXPECT_EQ(std::ranges::count(graph.label, 4u), 1);                      // the hole's own side is whole
+  EXPECT_NEAR(length_of(graph, graph.interfaces), 0.5 + 1.0 + 4.0,
+              1e-6);                                  // above and below the hole's side, and once x = 3
+  EXPECT_EQ(std::ranges::count(graph.label, 4u), 1);  // the hole's own side is whole
   for (std::size_t i = 0; i < graph.places.size(); ++i)
     for (std::size_t j = 0; j < i; ++j) {
       const plane::Point &p = graph.places[i], &q = graph.places[j];
@@ -66,8 +68,8 @@ TEST(PlaneGraph, EndsNearVerticesAreThere) {
 
 TEST(PlaneGraph, SmoothInterfacesAreNotSingularWithin) {
   PlaneBody body = square();
-  body.interfaces = {{{2.5, 2.5}, {3.5, 2.5}}, {{3.5, 2.5}, {3.5, 3.5}}, {{3.5, 3.5}, {2.5, 3.5}}, {{2.5, 3.5}, {2.5, 2.5}},
-                     {{0.5, 3.0}, {1.0, 3.1}}, {{1.0, 3.1}, {1.5, 3.3}}};
+  body.interfaces = {{{2.5, 2.5}, {3.5, 2.5}}, {{3.5, 2.5}, {3.5, 3.5}}, {{3.5, 3.5}, {2.5, 3.5}},
+                     {{2.5, 3.5}, {2.5, 2.5}}, {{0.5, 3.0}, {1.0, 3.1}}, {{1.0, 3.1}, {1.5, 3.3}}};
   EXPECT_EQ(singular_interface_places(body).size(), 4u + 2u);
   EXPECT_EQ(singular_interface_places(body, 3.0).size(), 2u);  // no corner turns as far
 }
