@@ -28,6 +28,7 @@ constexpr double kSmear = 0.1;          // a place's difference may be small by 
 constexpr double kRounding = 1e-10;     // of the largest displacement, whatever the differences say
 constexpr std::array<double, 4> kFactorPower = {0.0, 0.0, 1.15, 4.0 / 3.0};  // entries of a factor, by unknowns
 constexpr double kLittle = 1.7;                             // times as many cells: halving all would make 4, in space 8
+constexpr double kExpectedGain = 8.0;                       // of a third mesh, in what is stated
 constexpr double kAim = 0.5;                                // share of the tolerance that the next meshes aim at
 constexpr double kSmallestStep = 0.25, kLargestStep = 0.8;  // of the spacing, from meshes to the next ones
 
@@ -78,14 +79,14 @@ class Family {
   double factor_bytes_after(double growth) const {
     return solution_.factor_bytes * std::pow(growth, kFactorPower[mesh_.dimension]);
   }
-  // By how much the spacing can be less within nearly all of what is allowed.
-  double smallest_step(const ConvergeSettings& settings) const {
+  // By how much the spacing can be less within nearly all of what is allowed, when it is refined after that.
+  double smallest_step(const ConvergeSettings& settings, double refinement) const {
     constexpr double kNearly = 0.9;
     const double by_unknowns =
         kNearly * static_cast<double>(settings.unknown_limit) / static_cast<double>(solution_.unknowns);
     const double by_bytes =
         std::pow(kNearly * settings.factor_bytes_limit / solution_.factor_bytes, 1.0 / kFactorPower[mesh_.dimension]);
-    return std::pow(std::min(by_unknowns, by_bytes), -1.0 / static_cast<double>(mesh_.dimension));
+    return std::pow(std::min(by_unknowns, by_bytes) / refinement, -1.0 / static_cast<double>(mesh_.dimension));
   }
 
   std::size_t solved() const { return answers_.size(); }
@@ -164,18 +165,22 @@ class Converging {
     solve(family);
     const auto children = static_cast<double>(children_per_cell(family.mesh().dimension));
     std::vector<LoadResult> loads;
-    while (family.solved() < 3 && !too_large(children * static_cast<double>(family.solution().unknowns),
-                                             family.factor_bytes_after(children))) {
+    bool promising = true;
+    while (family.solved() < 3 && promising && !needs_too_much(family, children)) {
       family.refine();
       solve(family);
       loads = family.results();
       if (error_of(loads) <= settings_.tolerance) break;
+      // With two meshes known the third would divide what they state by about 8: where that isn't enough, finer ones.
+      promising = family.solved() > 2 || error_of(loads) <= kExpectedGain * settings_.tolerance ||
+                  !can_go_on(family, error_of(loads) / kExpectedGain, children);
     }
     if (loads.empty() && result_.loads.empty())
       throw Refusal("the coarsest finite-element mesh leaves no room to refine it: " + result_.limit);
-    const bool may_go_on = family.solved() == 3 && error_of(loads) > settings_.tolerance && next_fits(family, loads);
+    const bool goes_on = !promising || (family.solved() > 2 && error_of(loads) > settings_.tolerance &&
+                                        can_go_on(family, error_of(loads), 1.0));
     if (!loads.empty()) keep_better(family, std::move(loads), spacing);
-    return !may_go_on;
+    return !goes_on;
   }
 
   void solve(Family& family) {
@@ -200,15 +205,17 @@ class Converging {
     return largest;
   }
 
-  // Sets step_ to how much finer the next mesh should be, or can; false when that is not worth it.
-  bool next_fits(const Family& family, const std::vector<LoadResult>& loads) {
-    const double wanted =
-        std::clamp(std::cbrt(kAim * settings_.tolerance / error_of(loads)), kSmallestStep, kLargestStep);
+  // Sets step_ to how much finer the next mesh should be, or can, by the error that this one and what is refined from
+  // it to so many times its unknowns come to; false when that is not worth it.
+  bool can_go_on(const Family& family, double error, double refinement) {
+    const double wanted = std::clamp(std::cbrt(kAim * settings_.tolerance / error), kSmallestStep, kLargestStep);
     const double growth = std::pow(wanted, -static_cast<double>(family.mesh().dimension));
-    const bool fits =
-        !too_large(growth * static_cast<double>(family.solution().unknowns), family.factor_bytes_after(growth));
-    step_ = fits ? wanted : family.smallest_step(settings_);
+    step_ = needs_too_much(family, refinement * growth) ? family.smallest_step(settings_, refinement) : wanted;
     return step_ <= kLargestStep;
+  }
+
+  bool needs_too_much(const Family& family, double growth) {
+    return too_large(growth * static_cast<double>(family.solution().unknowns), family.factor_bytes_after(growth));
   }
 
   bool too_large(double unknowns, double factor_bytes) {
