@@ -2,6 +2,7 @@
 #include "finite_elements/solution.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <span>
@@ -19,6 +20,10 @@ namespace nodal::elastic::finite_elements {
 namespace {
 
 constexpr int kHeld = StiffnessMatrix::kHeld;
+
+// By dimension.
+constexpr std::array<Ordering, 4> kOrderings = {Ordering::minimum_degree, Ordering::minimum_degree,
+                                                Ordering::minimum_degree, Ordering::nested_dissection};
 
 // One group of supports on one mesh.
 class GroupSolver {
@@ -95,7 +100,7 @@ class GroupSolver {
 Solution solve(const Mesh& mesh, const Problem& problem, double factor_bytes_limit) {
   const StiffnessMatrix matrix(mesh, problem.regions);
   UpperTriangle graph = matrix.graph();
-  const std::vector<int> order = nested_dissection(graph);
+  const std::vector<int> order = elimination_order(graph, kOrderings[mesh.dimension]);
   Solution solution;
   for (const Group& group : problem.groups) {
     GroupSolver solver(mesh, matrix, order, group);

@@ -17,13 +17,16 @@ cholmod_sparse view_of(UpperTriangle& matrix) {
 
 }  // namespace
 
-std::vector<int> nested_dissection(UpperTriangle& pattern) {
+std::vector<int> elimination_order(UpperTriangle& pattern, Ordering ordering) {
   static std::mutex one_at_a_time;
   const std::lock_guard<std::mutex> lock(one_at_a_time);
   Common common(Factorization::supernodal);
   cholmod_sparse graph = view_of(pattern);
   std::vector<int> order(pattern.size());
-  if (!cholmod_metis(&graph, nullptr, 0, 1, order.data(), common.get())) throw std::bad_alloc();
+  const int done = ordering == Ordering::minimum_degree
+                       ? cholmod_amd(&graph, nullptr, 0, order.data(), common.get())
+                       : cholmod_metis(&graph, nullptr, 0, 1, order.data(), common.get());
+  if (!done) throw std::bad_alloc();
   return order;
 }
 

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-/// LLᵀ of a large sparse symmetric matrix that is factorized once: ordered by nested dissection (METIS), supernodal.
+/// LLᵀ of a large sparse symmetric matrix that is factorized once, supernodal, in an order that is given.
 ///
-/// What a CholeskyPattern is made for, factorizing one pattern again and again, is of no use there: it orders by AMD,
-/// which fills the factor of a mesh of 100,000 unknowns with half as much again, and looks up entry by entry.
+/// A CholeskyPattern, made for factorizing one pattern again and again, looks up entry by entry and permutes by hand:
+/// here a matrix comes as columns, and several of them (the same mesh held in other places) share one order.
 ///
-/// Cost     for a mesh in the plane of n nodes about 30 n log₂ n entries, in space n^{4/3}.
-/// Threads  METIS keeps its random numbers in one place: one thread orders at a time, and the order depends on the
-///          graph alone.
+/// Cost     quadratic triangles, 168,000 unknowns: 20 ms to order, 0.3 s to factorize, 190 MB. Quadratic tetrahedra,
+///          45,000 unknowns: 0.13 s, 1.5 s, 330 MB.
+/// Threads  METIS keeps its random numbers in one place: one thread orders at a time, and an order depends on the graph
+///          alone.
 
 #include <cstddef>
 #include <memory>
@@ -28,8 +29,12 @@ struct UpperTriangle {
   [[nodiscard]] std::size_t size() const noexcept { return begins.size() - 1; }
 };
 
+/// Of a mesh in the plane the factor is 8 % larger by minimum degree (AMD) than by nested dissection (METIS), which
+/// takes 20 times as long to order; in space it is nearly twice as large.
+enum class Ordering { minimum_degree, nested_dissection };
+
 /// The order in which the unknowns of a pattern should be eliminated. std::bad_alloc when memory runs out.
-[[nodiscard]] std::vector<int> nested_dissection(UpperTriangle& pattern);
+[[nodiscard]] std::vector<int> elimination_order(UpperTriangle& pattern, Ordering ordering);
 
 class LargeCholesky {
  public:
