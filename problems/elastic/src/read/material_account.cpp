@@ -67,12 +67,13 @@ void tell_of_material(const MaterialField& material, const Body& body, Account& 
 
 void tell_of_poisson(const MaterialField& material, std::size_t dimension, bool tied, Account& account) {
   const bool space = dimension == 3;
+  std::vector<double> told;
   for (std::size_t region = 0; region <= material.regions.size(); ++region) {
     if (!material.counts(region)) continue;
-    const Material& own = material.material_of(region);
-    if (region != kBodyRegion && own == material.base && material.counts(kBodyRegion)) continue;  // it is told already
-    const std::optional<Moduli> isotropic = own.elasticity(dimension).isotropic();
+    const std::optional<Moduli> isotropic = material.material_of(region).elasticity(dimension).isotropic();
     if (!isotropic || std::abs(isotropic->poisson - (space ? 0.25 : 1.0 / 3.0)) <= 0.02) continue;
+    if (std::ranges::count(told, isotropic->poisson) > 0) continue;
+    told.push_back(isotropic->poisson);
     account.remark(fmt::format(
         "springs alone make a Cauchy-elastic net: even, isotropic ones have Poisson's ratio {}, {} has {:.4g}; {}",
         space ? "1/4 in space" : "1/3 in the plane",

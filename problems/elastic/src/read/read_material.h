@@ -21,7 +21,7 @@ namespace nodal::elastic {
 /// Constants and regions with their shares; the account's data get "regions" where there are such.
 void tell_of_material(const MaterialField& material, const Body& body, Account& account);
 
-/// Springs alone make a net of one Poisson's ratio: a remark for each isotropic material that has another. What was
+/// Springs alone make a net of one Poisson's ratio: a remark for each other one of isotropic materials. What was
 /// measured has no material that the study would know of.
 void tell_of_poisson(const MaterialField& material, std::size_t dimension, bool tied, Account& account);
 
