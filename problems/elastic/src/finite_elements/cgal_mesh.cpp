@@ -15,6 +15,7 @@
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 #include <fmt/format.h>
 
+#include <nodal/elastic/body.h>
 #include <nodal/error.h>
 
 #include "finite_elements/plane_graph.h"
@@ -122,8 +123,18 @@ void mark_body(Triangulation& made, const std::vector<LabelledRing>& rings) {
     if (made.is_infinite(face)) face->set_in_domain(false);
 }
 
+// Far around the places. Without it a vertex that rounding leaves a little inside of the hull's edge makes a triangle
+// without height there, outside of the body, and refining mistakes such for its own.
+void insert_frame(Triangulation& made, const std::vector<plane::Point>& places) {
+  const plane::Box box = plane::bounding_box(places);
+  const double away = box.size();
+  for (const double x : {box.low[0] - away, box.high[0] + away})
+    for (const double y : {box.low[1] - away, box.high[1] + away}) made.insert({x, y});
+}
+
 Triangulation triangulated(const PlaneGraph& graph) {
   Triangulation made;
+  insert_frame(made, graph.places);
   std::vector<Vertex> vertices;
   Face near;
   for (std::size_t i = 0; i < graph.places.size(); ++i) {
@@ -133,7 +144,6 @@ Triangulation triangulated(const PlaneGraph& graph) {
   }
   for (const auto* pieces : {&graph.border, &graph.interfaces})
     for (const auto& [from, to] : *pieces) made.insert_constraint(vertices[from], vertices[to]);
-  if (made.dimension() < 2) throw Refusal("the body's outline has no area");
   return made;
 }
 
@@ -217,6 +227,7 @@ Mesh plane_mesh(const PlaneBody& body, double spacing) {
   LinearMesh mesh;
   for (const plane::Point& p : graph.places) mesh.vertices.push_back(lifted(p));
   append_cells(made, body, mesh);
+  if (mesh.cells.empty()) throw Refusal("the body's outline has no area");
   append_sides(made, graph, mesh);
   return quadratic(without_unused(mesh));
 }

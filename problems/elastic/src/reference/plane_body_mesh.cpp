@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
-#include <cmath>
 
 #include "finite_elements/plane_mesh.h"
 #include "loads/border_pieces.h"
@@ -13,13 +12,6 @@ namespace {
 
 namespace fe = finite_elements;
 
-// How much a ring turns to the right at a vertex: more than 0 where material is around more than half of it.
-double turn_inwards(const plane::Ring& ring, std::size_t i) {
-  const plane::Point &p = ring[(i + ring.size() - 1) % ring.size()], &at = ring[i], &q = ring[(i + 1) % ring.size()];
-  const double ax = at[0] - p[0], ay = at[1] - p[1], bx = q[0] - at[0], by = q[1] - at[1];
-  return -std::atan2(ax * by - ay * bx, ax * bx + ay * by);
-}
-
 class PlaneBodyMesh final : public BodyMesh {
  public:
   PlaneBodyMesh(const Net& net, const MaterialField& material, const std::vector<const PlacedLoad*>& loads)
@@ -30,7 +22,6 @@ class PlaneBodyMesh final : public BodyMesh {
     for (const PlacedLoad* load : loads)
       for (const Support& point : load->body.points)
         if (!net.on_border(point.node)) body_.vertices.push_back(in_plane(net.nodes[point.node]));
-    grade_corners();
     for (const PlacedLoad* load : loads) grade_ends(load->body);
     std::ranges::move(fe::singular_interface_places(body_, net.body.corner_turn), std::back_inserter(body_.graded));
     std::ranges::sort(body_.graded);
@@ -86,12 +77,6 @@ class PlaneBodyMesh final : public BodyMesh {
     std::vector<std::size_t> labels = border_.pieces[ring];
     std::ranges::replace(labels, kNoPiece, pieces);
     return labels;
-  }
-
-  void grade_corners() {
-    for (const plane::Ring& ring : net_.body.rings)
-      for (std::size_t i = 0; i < ring.size(); ++i)
-        if (turn_inwards(ring, i) > net_.body.corner_turn) body_.graded.push_back(ring[i]);
   }
 
   // Where what is held or pulled at changes from one side of the border to the next. A stress that pulls all around

@@ -6,11 +6,15 @@
 #include <cmath>
 #include <fstream>
 
+#include <fmt/format.h>
+
+#include <nodal/random.h>
 #include <nodal/trial.h>
 
 #include "../../../support/messages.h"
 #include "../../../support/temporary_directory.h"
 #include "../block.h"
+#include "../bodies.h"
 #include "../plate.h"
 
 namespace nodal::elastic {
@@ -65,8 +69,41 @@ TEST(References, OfFiniteElementsAgreeWithClosedFormsWhereBothExist) {
       "= "
       "5 }\nsprings = { topology = \"delaunay\" }\n");
   expect_agreement(
-      "body = { shape = \"ring\", radius = 2, inner_radius = 1 }\npoints = { layout = \"voronoi\", total = 80, iterations = 5 "
+      "body = { shape = \"ring\", radius = 2, inner_radius = 1 }\npoints = { layout = \"voronoi\", total = 80, "
+      "iterations = 5 "
       "}\nsprings = { topology = \"delaunay\" }\n");
+}
+
+std::string in_toml(const plane::Ring& ring) {
+  std::string text;
+  for (const plane::Point& p : ring) text += fmt::format("{}[{}, {}]", text.empty() ? "" : ", ", p[0], p[1]);
+  return "[" + text + "]";
+}
+
+// Needles, sharp notches, slanted sides with nodes in between, holes: stresses that are the same everywhere are exact
+// on any mesh, so what differs is a side that pulls wrongly, a node that is looked up wrongly, or a body that isn't
+// whole.
+TEST(References, OfFiniteElementsAreExactOnAnyBodyUnderAHomogeneousStress) {
+  std::size_t met = 0;
+  for (std::uint64_t key = 0; key < 40; ++key) {
+    RandomStream random(key);
+    const Body body = random_star(random);
+    std::string outline = "body = { outline = " + in_toml(body.rings[0]);
+    if (body.rings.size() > 1) outline += ", holes = [" + in_toml(body.rings[1]) + "]";
+    const std::string problem =
+        outline +
+        " }\npoints = { layout = \"voronoi\", total = 80, iterations = 3 }\nsprings = { topology = "
+        "\"delaunay\" }\nloads = { supports = \"minimal\" }\n";
+    try {
+      const auto closed = read(problem);
+      const auto meshed = read(problem + "reference = { method = \"finite-elements\" }\n");
+      EXPECT_LE(difference(meshed->scene().loads, closed->scene().loads), 1e-7) << problem;
+      ++met;
+    } catch (const InputError& error) {  // too few points for such an outline
+      EXPECT_FALSE(says(error.what(), "finite-element")) << error.what() << problem;
+    }
+  }
+  EXPECT_GE(met, 10u);
 }
 
 TEST(References, AreToldWithTheirEstimatedError) {
