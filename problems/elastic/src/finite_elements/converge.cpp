@@ -89,6 +89,12 @@ class Family {
     return std::pow(std::min(by_unknowns, by_bytes) / refinement, -1.0 / static_cast<double>(mesh_.dimension));
   }
 
+  double borne() const {
+    double most = 0.0;
+    for (const LoadSolution& load : solution_.loads) most = std::max(most, load.borne_by_places);
+    return most;
+  }
+
   std::size_t solved() const { return answers_.size(); }
   const Solution& solution() const { return solution_; }
   const Mesh& mesh() const { return mesh_; }
@@ -163,6 +169,7 @@ class Converging {
   bool round(double spacing) {
     Family family(make_(spacing), wanted_);
     solve(family);
+    if (family.borne() > settings_.borne_limit) return keep_borne(family);
     const auto children = static_cast<double>(children_per_cell(family.mesh().dimension));
     std::vector<LoadResult> loads;
     bool promising = true;
@@ -186,6 +193,14 @@ class Converging {
   void solve(Family& family) {
     family.solve(problem_, 2.0 * settings_.factor_bytes_limit);
     ++result_.meshes;
+  }
+
+  // All that is left to say; true, since no finer mesh says more.
+  bool keep_borne(const Family& family) {
+    for (const LoadSolution& load : family.solution().loads)
+      result_.loads.push_back({.borne_by_places = load.borne_by_places});
+    result_.limit = "a support at a place bears a force";
+    return true;
   }
 
   void keep_better(Family& family, std::vector<LoadResult> loads, double spacing) {

@@ -20,6 +20,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -37,15 +38,17 @@ struct ConvergeSettings {
   double tolerance = 1e-4;  ///< of displacements at the wanted places, relative to each load's largest
   std::size_t unknown_limit = 1'000'000;
   double factor_bytes_limit = 1e9;
+  /// Of LoadSolution::borne_by_places: where the first mesh shows more, that is all that is found.
+  double borne_limit = std::numeric_limits<double>::infinity();
 };
 
 struct LoadResult {
-  std::vector<Vector> displacements;  ///< [wanted]
-  std::vector<double> errors;         ///< [wanted] estimated |u − u_exact|, metres
-  double largest = 0.0;               ///< largest |u| at the wanted places, metres
-  double error = 0.0;                 ///< the largest of `errors` over `largest`
-  double ratio = 0.0;                 ///< q
-  double borne_by_places = 0.0;       ///< see LoadSolution
+  std::vector<Vector> displacements = {};  ///< [wanted]; empty beyond borne_limit, as are the errors
+  std::vector<double> errors = {};         ///< [wanted] estimated |u − u_exact|, metres
+  double largest = 0.0;                    ///< largest |u| at the wanted places, metres
+  double error = 0.0;                      ///< the largest of `errors` over `largest`
+  double ratio = 0.0;                      ///< q
+  double borne_by_places = 0.0;            ///< see LoadSolution
 };
 
 struct ConvergeResult {

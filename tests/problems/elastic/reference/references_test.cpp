@@ -129,7 +129,7 @@ TEST(References, AreToldWithTheirEstimatedError) {
 }
 
 TEST(References, AreFinerWhereATighterToleranceIsAskedFor) {
-  const auto usual = read(kShear), fine = read("reference = { tolerance = 1e-6 }\n" + std::string(kShear));
+  const auto usual = read(kShear), fine = read("reference = { tolerance = 1e-5 }\n" + std::string(kShear));
   ASSERT_TRUE(fine->reference_error());
   EXPECT_LE(*fine->reference_error(), 0.2 * *usual->reference_error());
   EXPECT_LE(difference(usual->scene().loads, fine->scene().loads), kTolerance);
