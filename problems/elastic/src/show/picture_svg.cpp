@@ -157,6 +157,7 @@ std::vector<std::string> picture_legend(const Picture& picture, const Frame& fra
         fmt::format("Displacements are drawn {} times their size.", figure_text(frame.magnification, 1)));
   }
   if (!picture.cells.empty()) sentences.emplace_back("Light lines: the nodes' Voronoi regions.");
+  if (!picture.interfaces.empty()) sentences.emplace_back("Dashed lines: borders of regions of material.");
   if (!picture.masses.empty()) sentences.emplace_back("Round dots are nodes, their area is the mass.");
   if (std::ranges::any_of(picture.masses, [](double mass) { return !(mass > 0.0); }))
     sentences.emplace_back("Red rings: nodes without a positive mass.");

@@ -42,7 +42,8 @@ std::string cell_lines(const Picture& picture, const Frame& frame) {
 std::string interface_lines(const Picture& picture, const Frame& frame) {
   std::string path;
   for (const auto& [p, q] : picture.interfaces) path += move_to(frame.at(p)) + line_to(frame.at(q));
-  return path.empty() ? path : "<path class=\"cell\" stroke-dasharray=\"5 3\" d=\"" + path + "\"/>";
+  return path.empty() ? path
+                      : "<path stroke=\"#5b6470\" stroke-width=\"1\" stroke-dasharray=\"6 4\" d=\"" + path + "\"/>";
 }
 
 // Area is proportional to mass; the heaviest node's dot reaches a fifth of the way to its neighbours, so that

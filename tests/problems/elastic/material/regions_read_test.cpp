@@ -12,6 +12,8 @@
 
 #include "../study_files.h"
 #include "masses/masses.h"
+#include "show/make_picture.h"
+#include "show/picture_svg.h"
 #include "triangulation/triangulation.h"
 
 namespace nodal::elastic {
@@ -232,6 +234,15 @@ TEST_F(Regions, ArePulledAtWithTheirThickness) {
   double sum = 0.0;
   for (std::size_t i = 0; i < problem->net().nodes.size(); ++i) sum += up->forces[problem->net().freedoms().at(i, 1)];
   EXPECT_NEAR(sum, 5.0 * (2.0 * 2.0 + 1.0 * 2.0), 1e-14);
+}
+
+TEST_F(Regions, AreDrawnByTheirBorders) {
+  const auto problem = plate("{ regions = [{ half_plane = { point = [1, 0], towards = [-1, 0] }, young = 2 }] }");
+  const std::vector<double>& k = problem->scene().initial_stiffness;
+  const show::Picture picture = show::make_picture(*problem, k, problem->solve(k), "plate", "start");
+  ASSERT_EQ(picture.interfaces.size(), 1u);
+  EXPECT_EQ(picture.interfaces[0][0][0], 1.0);
+  EXPECT_NE(show::picture_svg(picture).find("Dashed lines: borders of regions of material."), std::string::npos);
 }
 
 // ── masses ──────────────────────────────────────────────────────────────────────────────────────────────────────────
