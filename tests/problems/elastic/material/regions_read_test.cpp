@@ -8,7 +8,10 @@
 #include <cmath>
 #include <set>
 
+#include <fmt/format.h>
+
 #include <nodal/elastic/stiffness.h>
+#include <nodal/random.h>
 
 #include "../study_files.h"
 #include "masses/masses.h"
@@ -234,6 +237,72 @@ TEST_F(Regions, ArePulledAtWithTheirThickness) {
   double sum = 0.0;
   for (std::size_t i = 0; i < problem->net().nodes.size(); ++i) sum += up->forces[problem->net().freedoms().at(i, 1)];
   EXPECT_NEAR(sum, 5.0 * (2.0 * 2.0 + 1.0 * 2.0), 1e-14);
+}
+
+TEST_F(Regions, HaveARemarkForEachPoissonsRatioThatSpringsDontHave) {
+  if (!triangulation_available()) GTEST_SKIP() << "finite elements need meshes";
+  const auto problem = read(
+      "body = { size = [4, 2] }\npoints = { counts = [5, 3] }\nloads = { supports = \"minimal\" }\nmaterial = { "
+      "poisson = "
+      "0.3333, regions = [{ name = \"soft\", box = [0, 0, 1, 2], poisson = 0.1 }, { box = [1, 0, 2, 2], poisson = 0.1, "
+      "young = 2 }] }\n");
+  const std::vector<std::string>& remarks = problem->account().remarks();
+  EXPECT_EQ(std::ranges::count_if(remarks, [](const std::string& line) { return line.starts_with("springs alone"); }),
+            1);
+  EXPECT_EQ(
+      std::ranges::count_if(
+          remarks, [](const std::string& line) { return line.find("region 'soft' has 0.1;") != std::string::npos; }),
+      1);
+}
+
+// Whatever a study says of regions, it is refused with its place, or all of the body is of some material.
+TEST_F(Regions, OfAnyShapesMakeABodyOrAreRefused) {
+  RandomStream random(7);
+  const auto place = [&] {
+    return fmt::format("[{:.3g}, {:.3g}]", random.uniform(-1.0, 5.0), random.uniform(-1.0, 3.0));
+  };
+  const auto shape = [&]() -> std::string {
+    switch (random() % 3) {
+      case 0:
+        return fmt::format("half_plane = {{ point = {}, towards = {} }}", place(), place());
+      case 1: {
+        const double x = random.uniform(-1.0, 4.0), y = random.uniform(-1.0, 2.0);
+        return fmt::format("box = [{}, {}, {}, {}]", x, y, x + random.uniform(0.1, 3.0), y + random.uniform(0.1, 2.0));
+      }
+      default:
+        return fmt::format("polygon = [{}, {}, {}, {}]", place(), place(), place(), place());
+    }
+  };
+  int taken = 0, turned_down = 0;
+  for (int trial = 0; trial < 300; ++trial) {
+    std::string regions;
+    const std::uint64_t count = random() % 4;
+    for (std::uint64_t k = 0; k <= count; ++k)
+      regions += fmt::format("{}{{ {}, young = {:.3g}, thickness = {:.3g}, density = 2 }}", k == 0 ? "" : ", ", shape(),
+                             random.uniform(0.1, 9.0), random.uniform(0.1, 3.0));
+    try {
+      const auto problem =
+          plate("{ regions = [" + regions + "] }",
+                "masses = { form = \"least-norm\" }\nsprings = { parameters = \"by-region\", initial = "
+                "\"area\" }\n");
+      const MaterialField& field = problem->scene().material;
+      double sum = 0.0, mass = 0.0, wanted = 0.0;
+      for (std::size_t r = 0; r < field.shares.size(); ++r) {
+        sum += field.shares[r];
+        wanted += field.shares[r] * 8.0 * field.thickness_of(r, 1.0) * field.density_of(r, 1.0);
+      }
+      for (const double m : problem->net().masses) mass += m;
+      EXPECT_NEAR(sum, 1.0, 1e-13);
+      EXPECT_NEAR(mass, wanted, 1e-10) << regions;
+      for (const double k : problem->scene().initial_stiffness) EXPECT_GT(k, 0.0);
+      ++taken;
+    } catch (const InputError& error) {
+      EXPECT_NE(std::string(error.what()).find("study.toml:"), std::string::npos) << error.what();
+      ++turned_down;
+    }
+  }
+  EXPECT_GT(taken, 50);
+  EXPECT_GT(turned_down, 50);
 }
 
 TEST_F(Regions, AreDrawnByTheirBorders) {

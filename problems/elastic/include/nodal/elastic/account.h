@@ -35,7 +35,7 @@ class Account {
   [[nodiscard]] std::string detail_of(std::string_view stage) const;
 
   Value data = {};  ///< a table, for the report: "voronoi", "masses", "supports", "selections",
-                    ///< "finite_elements" where there are such
+                    ///< "regions", "finite_elements" where there are such
   std::vector<std::vector<plane::Ring>> regions =
       {};  ///< [nodes] of each Voronoi region in the body, to be drawn; or empty
 
