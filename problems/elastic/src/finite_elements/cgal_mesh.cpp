@@ -42,6 +42,9 @@ using Triangulation =
 using Vertex = Triangulation::Vertex_handle;
 using Face = Triangulation::Face_handle;
 
+// How far a triangle is from a place within it, at least, in longest edges: its centre may be there.
+constexpr double kLeastDistance = 0.25;
+
 // CGAL's: the longest edge over what may be (large triangles first), then the smallest angle. Here what may be depends
 // on the place.
 class Criteria : public virtual CGAL::Delaunay_mesh_criteria_2<Triangulation> {
@@ -64,7 +67,8 @@ class Criteria : public virtual CGAL::Delaunay_mesh_criteria_2<Triangulation> {
       const double longest =
           std::max({CGAL::to_double(CGAL::squared_distance(p, q)), CGAL::to_double(CGAL::squared_distance(q, r)),
                     CGAL::to_double(CGAL::squared_distance(r, p))});
-      const double size = size_.at((p.x() + q.x() + r.x()) / 3.0, (p.y() + q.y() + r.y()) / 3.0);
+      const double size =
+          size_.at((p.x() + q.x() + r.x()) / 3.0, (p.y() + q.y() + r.y()) / 3.0, kLeastDistance * std::sqrt(longest));
       const double excess = longest / (size * size);
       const auto shape = Base::Is_bad::operator()(face, quality);
       quality.second = excess;

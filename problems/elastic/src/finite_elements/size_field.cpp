@@ -42,11 +42,12 @@ void SizeField::grade_corners(const plane::Ring& ring) {
   }
 }
 
-double SizeField::at(double x, double y) const {
+double SizeField::at(double x, double y, double least) const {
   double share = 1.0;
   for (const auto& [power, places] : places_) {
     double nearest = std::numeric_limits<double>::infinity();
     for (const plane::Point& p : places) nearest = std::min(nearest, (x - p[0]) * (x - p[0]) + (y - p[1]) * (y - p[1]));
+    nearest = std::max(nearest, least * least);
     share = std::min(share, std::pow(nearest / (reach_ * reach_), 0.5 * power));
   }
   return spacing_ * share;

@@ -29,7 +29,9 @@ class SizeField {
   /// Grades where a ring's corners turn inwards, those of polygons that stand for curves too.
   void grade_corners(const plane::Ring& ring);
 
-  [[nodiscard]] double at(double x, double y) const;
+  /// Places nearer than `least` count as that far: the size of what is asked for, or a cell around a singular place
+  /// that is no vertex would be divided without end.
+  [[nodiscard]] double at(double x, double y, double least = 0.0) const;
 
  private:
   double spacing_, reach_;

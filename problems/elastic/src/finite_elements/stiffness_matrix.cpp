@@ -27,8 +27,7 @@ void StiffnessMatrix::find_neighbours(const Mesh& mesh) {
   begins_ = {0};
   for (std::vector<std::size_t>& of_node : neighbours) {
     std::ranges::sort(of_node);
-    const auto rest = std::ranges::unique(of_node);
-    lower_.insert(lower_.end(), of_node.begin(), rest.begin());
+    lower_.insert(lower_.end(), of_node.begin(), std::unique(of_node.begin(), of_node.end()));
     begins_.push_back(lower_.size());
     std::vector<std::size_t>().swap(of_node);
   }

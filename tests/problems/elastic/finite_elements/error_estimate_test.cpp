@@ -120,8 +120,6 @@ double excess(const Case& c) {
   EXPECT_LT(result.loads[0].borne_by_places, 1e-6) << c.name;
   const double truth = true_error(result.loads[0].displacements, c.wanted, c.field);
   EXPECT_GT(truth, 0.0);
-  std::printf("%s: stated %.2e, true %.2e, ratio %.2f, %zu unknowns, %.2f s\n", c.name.c_str(), result.loads[0].error,
-              truth, result.loads[0].ratio, result.solution.unknowns, result.seconds);
   return result.loads[0].error / truth;
 }
 

@@ -70,8 +70,6 @@ void expect_reference(const Value& one, const PlaneBody& body, const std::vector
     EXPECT_LE(difference / largest, std::max(5e-4, stated)) << load;
     EXPECT_LE(difference / largest, stated + result.loads[load].error) << load;  // the two bounds meet
     EXPECT_LT(result.loads[load].borne_by_places, 1e-6);
-    std::printf("load %zu: difference %.1e, stated %.1e, theirs %.1e, %zu unknowns, %.2f s\n", load,
-                difference / largest, result.loads[load].error, stated, result.solution.unknowns, result.seconds);
   }
 }
 
@@ -160,8 +158,6 @@ TEST(CooksMembrane, DisplacementsAreThoseOfNineNodeElements) {
       difference = std::max(difference, distance({row[2], row[3], 0.0}, result.loads[load].displacements[i]));
     }
     EXPECT_LE(difference / result.loads[load].largest, 5e-4) << names[load];
-    std::printf("%s %.2e stated %.2e\n", names[load].c_str(), difference / result.loads[load].largest,
-                result.loads[load].error);
   }
 }
 

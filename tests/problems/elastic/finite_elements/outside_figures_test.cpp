@@ -27,7 +27,6 @@ TEST(OutsideFigures, KirschsHoleThreefoldsTheStress) {
   const double top = stress_in(mesh, problem, {0.0, apothem, 0.0})[0][0];
   EXPECT_NEAR(top, 3.0, 0.06);
   EXPECT_NEAR(stress_in(mesh, problem, {apothem, 0.0, 0.0})[1][1], -1.0, 0.06);
-  std::printf("Kirsch %.5f\n", top);
 }
 
 // Held at two places of its border that bear nothing, so all radial displacement is relative to those.
@@ -72,7 +71,6 @@ TEST(OutsideFigures, EllipticMembrane) {
   problem.groups[0].loads = {{{{1, StressField{tensor(10, 10, 0)}}}}};
   const double stress = stress_in(plane_mesh(body, 0.1), problem, {2.0, 0.0, 0.0})[1][1];
   EXPECT_NEAR(stress, 92.7, 0.02 * 92.7);
-  std::printf("LE1 %.4f\n", stress);
 }
 
 }  // namespace

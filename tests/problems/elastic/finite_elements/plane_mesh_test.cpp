@@ -115,6 +115,17 @@ TEST(PlaneMesh, NeedlesEnd) {
   EXPECT_NEAR(area_of(plane_mesh(body, 1.0), 0), 0.25, 1e-12);
 }
 
+// A triangle's centre may come to lie where it is graded.
+TEST(PlaneMesh, GradedPlacesThatAreNoVerticesEnd) {
+  PlaneBody body = square();
+  body.graded = {{1e-12, 1e-12}, {3.3, 2.1}, {0.5, 0.5}, {2.0, 1e-9}, {-1.0, 1.0}, {4.0 / 3.0, 3.0}};
+  for (const double spacing : {0.3, 0.5, 0.8}) {
+    const Mesh mesh = plane_mesh(body, spacing);
+    EXPECT_NEAR(area_of(mesh, 0) + area_of(mesh, 1), 15.0, 1e-12);
+    EXPECT_LT(mesh.cell_count(), 30000u);
+  }
+}
+
 TEST(PlaneMesh, InterfacesAlongSidesAndBeyondThemEnd) {
   PlaneBody body = square();
   body.interfaces = {
