@@ -31,7 +31,6 @@ const std::vector<std::string> kFloors = {
 // line is a place where plane and space part; fewer is better.
 const std::map<std::string, int> kTellDimensionsApart = {{"battery/case_system.cpp", 1},
                                                          {"export/system_export.cpp", 1},
-                                                         {"finite_elements/cgal_mesh.cpp", 1},
                                                          {"geometry/with_dimension.h", 1},
                                                          {"import/stiffness_file.cpp", 2},
                                                          {"lanes/lane_instructions.cpp", 2},
@@ -56,7 +55,6 @@ const std::map<std::string, int> kTellDimensionsApart = {{"battery/case_system.c
                                                          {"rigidity/rest_frame.cpp", 2},
                                                          {"show/projection.cpp", 1},
                                                          {"show/projection.h", 1},
-                                                         {"finite_elements/cgal_mesh.cpp", 1},         // of CGAL's own
                                                          {"triangulation/cgal_triangulation.cpp", 1},  // of CGAL's own
                                                          {"starts/area.cpp", 1},
                                                          {"starts/lattice.cpp", 1}};
