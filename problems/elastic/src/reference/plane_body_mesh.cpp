@@ -60,8 +60,10 @@ class PlaneBodyMesh final : public BodyMesh {
       const auto thickness = pull.local_thickness ? std::nullopt : std::optional(net_.body.thickness);
       const bool stress = pull.stress.at_centre != Tensor{} || !is_homogeneous(pull.stress.gradient);
       for (const std::size_t piece : pull.pieces) {
-        if (stress) made.tractions.push_back({piece, pull.stress, thickness});
-        if (pull.traction != Vector{}) made.tractions.push_back({piece, pull.traction, thickness});
+        fe::Traction traction{piece, pull.stress, thickness};
+        if (stress) made.tractions.push_back(traction);
+        traction.pull = pull.traction;
+        if (pull.traction != Vector{}) made.tractions.push_back(traction);
       }
     }
     return made;
