@@ -38,7 +38,7 @@ class BlockBodyMesh final : public BodyMesh {
   fe::Mesh mesh(double spacing) const override { return fe::block_mesh(block_, spacing); }
 
   double coarsest() const override {
-    constexpr double kAcross = 3.0;
+    constexpr double kAcross = 1.5;
     return std::cbrt(block_.box.along(0) * block_.box.along(1) * block_.box.along(2)) / kAcross;
   }
 
