@@ -85,7 +85,7 @@ std::string in_toml(const plane::Ring& ring) {
 // whole.
 TEST(References, OfFiniteElementsAreExactOnAnyBodyUnderAHomogeneousStress) {
   std::size_t met = 0;
-  for (std::uint64_t key = 0; key < 40; ++key) {
+  for (std::uint64_t key = 0; key < 20; ++key) {
     RandomStream random(key);
     const Body body = random_star(random);
     std::string outline = "body = { outline = " + in_toml(body.rings[0]);
@@ -103,7 +103,7 @@ TEST(References, OfFiniteElementsAreExactOnAnyBodyUnderAHomogeneousStress) {
       EXPECT_FALSE(says(error.what(), "finite-element")) << error.what() << problem;
     }
   }
-  EXPECT_GE(met, 10u);
+  EXPECT_GE(met, 8u);
 }
 
 TEST(References, AreToldWithTheirEstimatedError) {
