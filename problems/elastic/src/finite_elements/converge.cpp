@@ -209,6 +209,7 @@ class Converging {
     result_.converged = error_of(result_.loads) <= settings_.tolerance;
     if (result_.converged) result_.limit.clear();
     result_.spacing = spacing;
+    result_.refinements = family.solved() - 1;
     result_.farthest_outside = family.outside();
     result_.mesh = family.take_mesh();
     result_.solution = family.take_solution();

@@ -57,7 +57,8 @@ struct ConvergeResult {
   std::string limit = {};         ///< why not, in words: what the next mesh would have needed
   Mesh mesh;                      ///< the finest, and what was found on it
   Solution solution;
-  double spacing = 0.0;           ///< of the coarsest of the last meshes, halved twice for the finest
+  double spacing = 0.0;           ///< of the coarsest of the last meshes
+  std::size_t refinements = 0;    ///< how often that was halved for the finest: once or twice
   std::size_t meshes = 0;         ///< solved on, all told
   double seconds = 0.0;           ///< meshes, orderings, factorizations and all
   double farthest_outside = 0.0;  ///< how far outside of the mesh a wanted place was, metres

@@ -88,4 +88,13 @@ struct LinearMesh {
 /// diagonal, which keeps descendants in shape.
 [[nodiscard]] Mesh refined(const Mesh& mesh);
 
+/// A triangle that a mesh in the plane was refined from.
+struct Ancestor {
+  std::array<std::size_t, 3> vertices{};  ///< nodes of the refined mesh
+  std::size_t middle = 0;                 ///< the cell of the refined mesh that has the same centre
+};
+
+/// Those of a mesh that was `refined` so many times.
+[[nodiscard]] std::vector<Ancestor> ancestors(const Mesh& mesh, std::size_t refinements);
+
 }  // namespace nodal::elastic::finite_elements

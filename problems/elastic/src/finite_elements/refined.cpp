@@ -74,4 +74,20 @@ Mesh refined(const Mesh& mesh) {
   return quadratic(linear);
 }
 
+std::vector<Ancestor> ancestors(const Mesh& mesh, std::size_t refinements) {
+  constexpr std::size_t kMiddle = 3;  // of a triangle's children, the one that keeps no vertex
+  const std::size_t per_cell = children_per_cell(2);
+  std::vector<Ancestor> all;
+  for (std::size_t c = 0; c < mesh.cell_count(); ++c)
+    all.push_back({{mesh.cell(c)[0], mesh.cell(c)[1], mesh.cell(c)[2]}, c});
+  for (std::size_t r = 0; r < refinements; ++r) {
+    for (std::size_t c = 0; c < all.size() / per_cell; ++c) {
+      const Ancestor* child = &all[per_cell * c];
+      all[c] = {{child[0].vertices[0], child[1].vertices[1], child[2].vertices[2]}, child[kMiddle].middle};
+    }
+    all.resize(all.size() / per_cell);
+  }
+  return all;
+}
+
 }  // namespace nodal::elastic::finite_elements

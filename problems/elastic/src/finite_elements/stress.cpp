@@ -28,12 +28,26 @@ void add(const Tensor& stress, double weight, Tensor& sum) {
 
 // Which value a cell's node has: one per node and region.
 std::vector<std::size_t> number_values(const Mesh& mesh) {
-  std::map<std::pair<std::size_t, std::size_t>, std::size_t> numbers;
+  constexpr auto kNone = static_cast<std::size_t>(-1);
+  struct First {
+    std::size_t region = kNone, value = 0;
+  };
+  std::vector<First> first(mesh.nodes.size());                                 // most nodes are of one region
+  std::map<std::pair<std::size_t, std::size_t>, std::size_t> on_an_interface;  // in further ones
   std::vector<std::size_t> index;
   index.reserve(mesh.cells.size());
+  std::size_t count = 0;
   for (std::size_t c = 0; c < mesh.cell_count(); ++c)
-    for (const std::size_t node : mesh.cell(c))
-      index.push_back(numbers.emplace(std::pair(mesh.region[c], node), numbers.size()).first->second);
+    for (const std::size_t node : mesh.cell(c)) {
+      if (first[node].region == kNone) first[node] = {mesh.region[c], count++};
+      if (first[node].region == mesh.region[c]) {
+        index.push_back(first[node].value);
+        continue;
+      }
+      const auto [at, added] = on_an_interface.emplace(std::pair(mesh.region[c], node), count);
+      if (added) ++count;
+      index.push_back(at->second);
+    }
   return index;
 }
 

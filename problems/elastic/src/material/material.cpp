@@ -2,6 +2,7 @@
 #include <nodal/elastic/material.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -22,6 +23,8 @@ State state_of(const Material& material, std::size_t dimension) {
 // σ in Voigt's order.
 std::array<double, 6> in_voigt(const Tensor& t) { return {t[0][0], t[1][1], t[2][2], t[1][2], t[2][0], t[0][1]}; }
 
+double squared(double x) { return x * x; }
+
 double young_of(const Compliance& s, const Vector& d) {
   const std::array<double, 6> pull = {d[0] * d[0], d[1] * d[1], d[2] * d[2], d[1] * d[2], d[2] * d[0], d[0] * d[1]};
   double stretch = 0.0;
@@ -31,6 +34,11 @@ double young_of(const Compliance& s, const Vector& d) {
 }
 
 }  // namespace
+
+double von_mises(const Tensor& t) {
+  return std::sqrt(0.5 * (squared(t[0][0] - t[1][1]) + squared(t[1][1] - t[2][2]) + squared(t[2][2] - t[0][0])) +
+                   3.0 * (squared(t[0][1]) + squared(t[1][2]) + squared(t[2][0])));
+}
 
 Elasticity Material::elasticity(std::size_t dimension) const {
   const State state = state_of(*this, dimension);

@@ -10,13 +10,17 @@
 #include <nodal/error.h>
 
 #include "finite_elements/converge.h"
+#include "finite_elements/locator.h"
 #include "finite_elements/plane_mesh.h"
+#include "finite_elements/stress.h"
 #include "reference/body_mesh.h"
 #include "triangulation/triangulation.h"
 
 namespace nodal::elastic {
 
 namespace {
+
+namespace fe = finite_elements;
 
 // A place of a continuum that bears a force gives way without end; what balances leaves rounding.
 constexpr double kBorneByRounding = 1e-6;
@@ -66,6 +70,50 @@ FiniteElementAnswer::Load spread(const finite_elements::LoadResult& result, cons
   return load;
 }
 
+std::vector<fe::Location> located(const fe::Mesh& mesh, const std::vector<Vector>& places) {
+  const fe::Locator locator(mesh);
+  std::vector<fe::Location> locations;
+  for (const Vector& place : places) locations.push_back(locator.locate(place));
+  return locations;
+}
+
+// The stresses of loads, on the mesh of a result.
+class Stresses {
+ public:
+  Stresses(const fe::ConvergeResult& found, const BodyMesh& body)
+      : mesh_(found.mesh), regions_(body.regions()), nodes_(located(mesh_, body.wanted())) {
+    if (mesh_.dimension == 2 && mesh_.cell_count() >> (2 * found.refinements) <= kMostDrawnTriangles)
+      drawn_ = fe::ancestors(mesh_, found.refinements);
+  }
+
+  // Vertices keep their numbers when a mesh is refined, so those of the drawn triangles come first.
+  [[nodiscard]] ReferenceMesh drawn() const {
+    ReferenceMesh drawn;
+    std::size_t vertices = 0;
+    for (const fe::Ancestor& triangle : drawn_) {
+      drawn.triangles.push_back(triangle.vertices);
+      for (const std::size_t v : triangle.vertices) vertices = std::max(vertices, v + 1);
+    }
+    for (std::size_t v = 0; v < vertices; ++v) drawn.vertices.push_back(in_plane(mesh_.nodes[v]));
+    return drawn;
+  }
+
+  // Gives the l-th load of an answer what it bears.
+  void add(const fe::LoadSolution& solution, std::size_t l, FiniteElementAnswer& answer) const {
+    const fe::NodalStress stress = fe::nodal_stress(mesh_, regions_, solution.displacement);
+    for (const fe::Location& node : nodes_) answer.loads[l].stress.push_back(fe::stress_at(mesh_, stress, node));
+    for (const fe::Ancestor& triangle : drawn_)
+      answer.mesh.von_mises[l].push_back(
+          von_mises(fe::stress_at(mesh_, stress, {triangle.middle, {1.0 / 3.0, 1.0 / 3.0, 1.0 / 3.0}})));
+  }
+
+ private:
+  const fe::Mesh& mesh_;
+  std::vector<fe::Region> regions_;
+  std::vector<fe::Location> nodes_;
+  std::vector<fe::Ancestor> drawn_;
+};
+
 }  // namespace
 
 std::string why_no_finite_elements(const PlacedLoad& load, const Net& net) {
@@ -99,9 +147,13 @@ FiniteElementAnswer answer_by_finite_elements(const Net& net, const MaterialFiel
   FiniteElementAnswer answer;
   answer.loads.resize(loads.size());
   answer.summary.errors.resize(loads.size());
+  const Stresses stresses(found, *body);
+  answer.mesh = stresses.drawn();
+  answer.mesh.von_mises.resize(loads.size());
   for (std::size_t k = 0; k < asked.order.size(); ++k) {
     const std::size_t l = asked.order[k];
     answer.loads[l] = spread(found.loads[k], net.freedoms());
+    stresses.add(found.solution.loads[k], l, answer);
     answer.summary.errors[l] = found.loads[k].error;
   }
   answer.summary.elements = body->elements();

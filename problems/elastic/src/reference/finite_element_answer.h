@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include <nodal/elastic/account.h>
 #include <nodal/elastic/material_field.h>
 #include <nodal/elastic/net.h>
 
@@ -21,9 +22,13 @@
 
 namespace nodal::elastic {
 
+/// More triangles than this would be a drawing without end, whose lines nobody can tell apart.
+inline constexpr std::size_t kMostDrawnTriangles = 6000;
+
 struct FiniteElementAnswer {
   struct Load {
     std::vector<double> displacement, uncertainty;
+    std::vector<Tensor> stress = {};  ///< [nodes] recovered on the finest mesh (finite_elements/stress.h), Pa
   };
   struct Summary {
     std::vector<std::string> names = {};  ///< of the loads, for whoever tells of it
@@ -36,6 +41,8 @@ struct FiniteElementAnswer {
   };
   std::vector<Load> loads;
   Summary summary;
+  ReferenceMesh mesh = {};  ///< that the finest was refined from, with the finest's stresses, by `loads`; empty in
+                            ///< space and of more than kMostDrawnTriangles
 };
 
 /// Why there is no answer to a load of this net; empty when there may be one. A continuum has none to forces on points.

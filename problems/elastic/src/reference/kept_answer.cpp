@@ -89,6 +89,14 @@ void add_load(Numbers& to, const BodyLoad& load) {
   for (const Support& point : load.points) to.count(point.node).count(point.axis).add(point.value);
 }
 
+// What a symmetric tensor is said by.
+std::array<double, 6> components(const Tensor& t) {
+  std::array<double, 6> list{};
+  for (std::size_t a = 0; a < 3; ++a)
+    for (std::size_t b = a; b < 3; ++b) list[voigt(a, b)] = t[a][b];
+  return list;
+}
+
 // A reader that remembers whether everything was there.
 class Reader {
  public:
@@ -110,6 +118,30 @@ class Reader {
     std::vector<double> list;
     for (std::size_t i = 0; i < wanted && whole_; ++i) list.push_back(number());
     return list;
+  }
+  std::vector<Tensor> tensors(std::size_t wanted) {
+    if (count() != wanted) return fail(std::vector<Tensor>());
+    std::vector<Tensor> list;
+    for (std::size_t i = 0; i < wanted && whole_; ++i) {
+      std::array<double, 6> c{};
+      for (double& x : c) x = number();
+      list.push_back({Vector{c[0], c[5], c[4]}, Vector{c[5], c[1], c[3]}, Vector{c[4], c[3], c[2]}});
+    }
+    return list;
+  }
+  ReferenceMesh mesh(std::size_t loads) {
+    ReferenceMesh mesh;
+    for (std::size_t left = count(); left > 0 && whole_; --left) {
+      const double x = number();
+      mesh.vertices.push_back({x, number()});
+    }
+    for (std::size_t left = count(); left > 0 && whole_; --left) {
+      mesh.triangles.emplace_back();
+      for (std::size_t& v : mesh.triangles.back())
+        if (v = count(); v >= mesh.vertices.size()) whole_ = false;
+    }
+    for (std::size_t l = 0; l < loads; ++l) mesh.von_mises.push_back(numbers(mesh.triangles.size()));
+    return mesh;
   }
   std::string word() {
     std::string word;
@@ -141,22 +173,32 @@ std::string origin_of_answer(const Net& net, const MaterialField& material, cons
   add_material(text, material, net.dimension, net.body.thickness);
   for (const PlacedLoad* load : loads) add_load(text, load->body);
   text.add(tolerance);
-  return "finite elements " + text.take();
+  return "finite elements and their stresses " + text.take();
 }
 
 std::string to_text(const FiniteElementAnswer& answer) {
   Numbers text;
-  for (const FiniteElementAnswer::Load& load : answer.loads) text.each(load.displacement).each(load.uncertainty);
+  for (const FiniteElementAnswer::Load& load : answer.loads) {
+    text.each(load.displacement).each(load.uncertainty).count(load.stress.size());
+    for (const Tensor& stress : load.stress) text.add(components(stress));
+  }
+  text.each(answer.mesh.vertices).count(answer.mesh.triangles.size());
+  for (const std::array<std::size_t, 3>& triangle : answer.mesh.triangles)
+    for (const std::size_t v : triangle) text.count(v);
+  for (const std::vector<double>& of_load : answer.mesh.von_mises) text.each(of_load);
   const FiniteElementAnswer::Summary& summary = answer.summary;
   text.each(summary.errors).count(summary.meshes).count(summary.cells).count(summary.unknowns).add(summary.seconds);
   text.count(summary.converged ? 1 : 0);
   return text.take() + summary.elements + " " + summary.limit;
 }
 
-std::optional<FiniteElementAnswer> answer_in(std::string_view text, std::size_t loads, std::size_t freedoms) {
+std::optional<FiniteElementAnswer> answer_in(std::string_view text, std::size_t loads, const Freedoms& freedoms) {
   Reader reader(text);
   FiniteElementAnswer answer;
-  for (std::size_t l = 0; l < loads; ++l) answer.loads.push_back({reader.numbers(freedoms), reader.numbers(freedoms)});
+  for (std::size_t l = 0; l < loads; ++l)
+    answer.loads.push_back(
+        {reader.numbers(freedoms.size()), reader.numbers(freedoms.size()), reader.tensors(freedoms.nodes)});
+  answer.mesh = reader.mesh(loads);
   FiniteElementAnswer::Summary& summary = answer.summary;
   summary.errors = reader.numbers(loads);
   summary.meshes = reader.count();

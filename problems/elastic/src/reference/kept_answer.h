@@ -21,8 +21,8 @@ namespace nodal::elastic {
 
 /// Numbers have all their digits.
 [[nodiscard]] std::string to_text(const FiniteElementAnswer& answer);
-/// Nothing when the text is no answer to so many loads of a net with so many freedoms.
+/// Nothing when the text is no answer to so many loads of a net with these freedoms.
 [[nodiscard]] std::optional<FiniteElementAnswer> answer_in(std::string_view text, std::size_t loads,
-                                                           std::size_t freedoms);
+                                                           const Freedoms& freedoms);
 
 }  // namespace nodal::elastic

@@ -57,6 +57,8 @@ LoadSet References::of(const std::vector<LoadSpec>& specs) {
       continue;
     }
     answered.reference = closed_form(spec, net_, material_);
+    const StressField stress{spec.stress, spec.gradient, centre_of(net_.body)};
+    for (const Vector& node : net_.nodes) answered.stress.push_back(stress.at(node));
     hold_as_reference(answered.load, answered.reference, net_.freedoms());
     analytic_ = true;
   }
@@ -85,7 +87,7 @@ FiniteElementAnswer References::answer_kept_or_made(const std::vector<const Plac
   const std::string origin = origin_of_answer(net_, material_, loads, choice_.tolerance);
   std::optional<FiniteElementAnswer> answer;
   if (const std::optional<std::string> kept = cache_.find(origin))
-    answer = answer_in(*kept, loads.size(), net_.freedoms().size());
+    answer = answer_in(*kept, loads.size(), net_.freedoms());
   if (!answer) {
     answer = answer_by_finite_elements(net_, material_, loads, choice_.tolerance);
     cache_.keep(origin, to_text(*answer));
@@ -102,6 +104,11 @@ void References::answer_by_elements(const std::vector<Answered*>& loads) {
   for (std::size_t l = 0; l < loads.size(); ++l) {
     loads[l]->reference = std::move(answer.loads[l].displacement);
     loads[l]->uncertainty = std::move(answer.loads[l].uncertainty);
+    loads[l]->stress = std::move(answer.loads[l].stress);
+  }
+  if (!answer.mesh.triangles.empty()) {
+    answer.mesh.loads = answer.summary.names;
+    account_.meshes.push_back(std::move(answer.mesh));
   }
   if (!answer.summary.converged)
     account_.finding("the reference is not as exact as asked for: " + describe(answer.summary, choice_.tolerance));
@@ -110,9 +117,12 @@ void References::answer_by_elements(const std::vector<Answered*>& loads) {
 
 LoadSet References::finish(std::vector<Answered> loads) {
   LoadSetBuilder set(net_.freedoms());
-  for (Answered& one : loads)
-    set.add(load_case(std::move(one.load), std::move(one.reference), std::move(one.uncertainty)),
-            std::move(one.load.group));
+  for (Answered& one : loads) {
+    SupportGroup group = std::move(one.load.group);
+    LoadCase load = load_case(std::move(one.load), std::move(one.reference), std::move(one.uncertainty));
+    load.reference_stress = std::move(one.stress);
+    set.add(std::move(load), std::move(group));
+  }
   return std::move(set).finish();
 }
 

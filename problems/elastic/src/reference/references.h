@@ -57,6 +57,7 @@ class References {
   struct Answered {
     PlacedLoad load;
     std::vector<double> reference = {}, uncertainty = {};
+    std::vector<Tensor> stress = {};  ///< [nodes]
   };
 
   void answer_by_elements(const std::vector<Answered*>& loads);

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "displacements/nodal_stress.h"
+#include "geometry/plane/voronoi_cells.h"
 #include "show/projection.h"
 
 namespace nodal::elastic::show {
@@ -45,6 +47,34 @@ Picture make_net(const Net& net, std::span<const double> stiffness) {
   return picture;
 }
 
+std::vector<std::vector<Ring>> voronoi_regions(const Net& net) {
+  const plane::Outline outline(net.body);
+  plane::VoronoiCells cells(outline, {});
+  cells.compute(in_plane(net.nodes));
+  std::vector<std::vector<Ring>> regions;
+  for (std::size_t i = 0; i < net.nodes.size(); ++i) regions.push_back(cells.rings(i));
+  return regions;
+}
+
+// Of the loads that were answered by finite elements.
+std::vector<PicturedStress> make_stresses(const ElasticProblem& problem, const State& state, const NodeVolumes& share) {
+  std::vector<PicturedStress> stresses;
+  const auto add = [&](const LoadState& load) {
+    for (const ReferenceMesh& mesh : problem.account().meshes) {
+      const auto known = std::ranges::find(mesh.loads, load.name);
+      if (known == mesh.loads.end()) continue;
+      PicturedStress& made = stresses.emplace_back(PicturedStress{load.name, mesh.vertices, mesh.triangles});
+      made.body = mesh.von_mises[static_cast<std::size_t>(known - mesh.loads.begin())];
+      for (const Tensor& t : nodal_stress(problem.net(), share.volumes, load.spring_force))
+        made.net.push_back(von_mises(t));
+      return;
+    }
+  };
+  for (const LoadState& load : state.loads) add(load);
+  for (const LoadState& load : state.unseen) add(load);
+  return stresses;
+}
+
 }  // namespace
 
 std::vector<std::array<bool, 2>> known_freedoms(const SupportGroup& group, const Freedoms& plane,
@@ -85,6 +115,11 @@ Picture make_picture(const ElasticProblem& problem, std::span<const double> stif
   add(state.unseen, problem.scene().held_out);
   for (std::size_t l = 0; l < state.unseen.size(); ++l)
     picture.loads[state.loads.size() + l].unseen = state.unseen[l].relative_error;
+  if (problem.account().meshes.empty()) return picture;
+  const NodeVolumes share = node_volumes(problem.net(), problem.scene().material);
+  if (share.shared != kVoronoiShares) return picture;
+  picture.shares = voronoi_regions(problem.net());
+  picture.stresses = make_stresses(problem, state, share);
   return picture;
 }
 

@@ -39,6 +39,15 @@ struct PicturedLoad {
   [[nodiscard]] bool knows(std::size_t node) const { return known.empty() || (known[node][0] && known[node][1]); }
 };
 
+/// What a body and its net bear under one load: von Mises stresses, Pa.
+struct PicturedStress {
+  std::string load;
+  std::vector<Point> vertices;                        ///< of the body's mesh
+  std::vector<std::array<std::size_t, 3>> triangles;  ///< likewise
+  std::vector<double> body = {};                      ///< [triangles]
+  std::vector<double> net = {};                       ///< [nodes]
+};
+
 /// One spring system under all its loads: those that are fitted, then those that never were.
 struct Picture {
   std::string problem;  ///< label, as in ProblemReference
@@ -56,6 +65,8 @@ struct Picture {
   std::vector<double> masses = {};
   std::vector<std::vector<Ring>> cells = {};          ///< the rings of each node's Voronoi region
   std::vector<std::array<Point, 2>> interfaces = {};  ///< borders of regions of material, within the body
+  std::vector<PicturedStress> stresses = {};          ///< where finite elements tell of the body's, and CGAL of regions
+  std::vector<std::vector<Ring>> shares = {};         ///< the nodes' Voronoi regions that the net's are means over
   double unseen_error = 0.0;                          ///< over the loads that were never fitted
 
   [[nodiscard]] std::span<const PicturedLoad> fitted() const { return std::span(loads).first(fitted_loads()); }

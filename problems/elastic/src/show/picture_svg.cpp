@@ -10,6 +10,7 @@
 #include <nodal/show/html.h>
 #include <nodal/show/number_text.h>
 #include "show/panels.h"
+#include "show/stress_panels.h"
 #include "show/style.h"
 
 namespace nodal::elastic::show {
@@ -183,8 +184,11 @@ std::string picture_svg(const Picture& picture) {
   const Drawing system = system_and_key(picture, frame, colours);
   const double below = kHeaderHeight + system.height + kGap;
   const Drawing loads = all_loads(picture, frame, colours, columns);
-  return svg_file(heading(picture), std::ceil(below + loads.height + kMargin - kGap),
-                  header(picture) + at(0.0, kHeaderHeight, system.text) + at(0.0, below, loads.text));
+  const Drawing stresses = stress_panels(picture, kInner);
+  const double end = below + loads.height;
+  return svg_file(heading(picture), std::ceil(end + stresses.height + kMargin - kGap),
+                  header(picture) + at(0.0, kHeaderHeight, system.text) + at(0.0, below, loads.text) +
+                      (stresses.text.empty() ? "" : at(kMargin, end, stresses.text)));
 }
 
 }  // namespace nodal::elastic::show

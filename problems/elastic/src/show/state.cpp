@@ -11,6 +11,8 @@
 #include <nodal/show/at_bounds.h>
 #include "displacements/findings.h"
 #include "displacements/highest_frequency.h"
+#include "displacements/nodal_stress.h"
+#include "show/nodal_stress_text.h"
 #include "show/state_tables.h"
 
 namespace nodal::elastic::show {
@@ -88,7 +90,8 @@ Value prior_json(const PriorShare& prior) {
   return table;
 }
 
-Value load_json(const ElasticProblem& problem, const LoadState& load, bool held_out) {
+Value load_json(const ElasticProblem& problem, const LoadState& load, const LoadCase& asked, const NodeVolumes& share,
+                bool held_out) {
   const bool compared = problem.scene().has_reference;
   Value entry;
   entry.set("name", load.name);
@@ -98,19 +101,30 @@ Value load_json(const ElasticProblem& problem, const LoadState& load, bool held_
   if (compared) entry.set("reference", by_node(problem.net().freedoms(), load.reference));
   entry.set("force", Value(Value::List(load.spring_force.begin(), load.spring_force.end())));
   entry.set("bearing", bearing_json(problem.net(), load));
+  if (!share.volumes.empty())
+    entry.set("stress",
+              stress_json(problem.net().dimension, nodal_stress(problem.net(), share.volumes, load.spring_force)));
+  if (!asked.reference_stress.empty())
+    entry.set("reference_stress", stress_json(problem.net().dimension, asked.reference_stress));
   return entry;
 }
 
-Value unseen_json(const ElasticProblem& problem, const State& state) {
+Value loads_json(const ElasticProblem& problem, const std::vector<LoadState>& states, const LoadSet& set,
+                 const NodeVolumes& share, bool held_out) {
+  Value::List loads;
+  for (std::size_t l = 0; l < states.size(); ++l)
+    loads.push_back(load_json(problem, states[l], set.loads[l], share, held_out));
+  return Value(std::move(loads));
+}
+
+Value unseen_json(const ElasticProblem& problem, const State& state, const NodeVolumes& share) {
   Value unseen;
   if (!state.unseen_failure.empty()) {
     unseen.set("failure", state.unseen_failure);
     return unseen;
   }
-  Value::List loads;
-  for (const LoadState& load : state.unseen) loads.push_back(load_json(problem, load, true));
   unseen.set("error", state.unseen_error);
-  unseen.set("loads", Value(std::move(loads)));
+  unseen.set("loads", loads_json(problem, state.unseen, problem.scene().held_out, share, true));
   return unseen;
 }
 
@@ -124,7 +138,8 @@ double largest(const std::vector<double>& values) {
 
 Value state_json(const std::string& label, const ElasticProblem& problem, std::span<const double> stiffness,
                  const State& state) {
-  Value::List springs, loads;
+  const NodeVolumes share = node_volumes(problem.net(), problem.scene().material);
+  Value::List springs;
   for (std::size_t e = 0; e < stiffness.size(); ++e) {
     const Spring& spring = problem.net().springs[e];
     Value entry;
@@ -133,7 +148,6 @@ Value state_json(const std::string& label, const ElasticProblem& problem, std::s
     entry.set("stiffness", stiffness[e]);
     springs.push_back(std::move(entry));
   }
-  for (const LoadState& load : state.loads) loads.push_back(load_json(problem, load, false));
   Value result;
   result.set("problem", label);
   result.set("nodes", index(problem.net().nodes.size()));
@@ -145,8 +159,9 @@ Value state_json(const std::string& label, const ElasticProblem& problem, std::s
     result.set("relative_error", state.relative_error);
   }
   if (state.prior) result.set("prior", prior_json(*state.prior));
-  result.set("loads", Value(std::move(loads)));
-  if (!problem.held_out().empty()) result.set("unseen", unseen_json(problem, state));
+  result.set("loads", loads_json(problem, state.loads, problem.scene().loads, share, false));
+  if (!share.volumes.empty()) result.set("stress_over", share.shared);
+  if (!problem.held_out().empty()) result.set("unseen", unseen_json(problem, state, share));
   result.set("health", health_json(state.health));
   if (stable_step_of(problem.net(), stiffness))
     result.set("stable_step_estimate", 2.0 / highest_frequency_estimate(problem.net(), stiffness));
@@ -218,7 +233,7 @@ std::string compared_text(const ElasticProblem& problem, std::span<const double>
   for (const LoadState& load : state.loads)
     text += fmt::format("{:<12} {:>14.6g} {:>24.6g} {:>26.6g}\n", load.name, load.quality, largest(load.displacement),
                         largest(load.bearing));
-  return text + unseen_table(state);
+  return text + unseen_table(state) + stress_table(problem, state);
 }
 
 }  // namespace
@@ -232,7 +247,7 @@ std::string state_text(const std::string& label, const ElasticProblem& problem, 
   text += stable_step_text(problem, stiffness);
   text += accuracy_text(state.health);
   for (const LoadState& load : state.loads) text += state_tables(problem.net(), load);
-  return text;
+  return text + stress_table(problem, state);
 }
 
 }  // namespace nodal::elastic::show

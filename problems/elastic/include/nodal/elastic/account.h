@@ -7,6 +7,8 @@
 ///
 /// Threads  a plain value.
 
+#include <array>
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,6 +18,14 @@
 #include <nodal/value.h>
 
 namespace nodal::elastic {
+
+/// A mesh of a body in the plane on which loads were answered, and how much the body bears there, to be drawn.
+struct ReferenceMesh {
+  std::vector<std::string> loads = {};                     ///< their names
+  std::vector<plane::Point> vertices = {};                 ///< m
+  std::vector<std::array<std::size_t, 3>> triangles = {};  ///< counterclockwise
+  std::vector<std::vector<double>> von_mises = {};         ///< [loads][triangles] in their centres, Pa
+};
 
 class Account {
  public:
@@ -37,7 +47,8 @@ class Account {
   Value data = {};  ///< a table, for the report: "voronoi", "masses", "supports", "selections",
                     ///< "regions", "finite_elements" where there are such
   std::vector<std::vector<plane::Ring>> regions =
-      {};  ///< [nodes] of each Voronoi region in the body, to be drawn; or empty
+      {};                                  ///< [nodes] of each Voronoi region in the body, to be drawn; or empty
+  std::vector<ReferenceMesh> meshes = {};  ///< of finite elements in the plane, of at most kMostDrawnTriangles
 
  private:
   [[nodiscard]] Stage* find(std::string_view stage);

@@ -39,6 +39,8 @@ struct LoadCase {
   /// How far off the reference may be, estimated, at each freedom; empty where it is exact, or nobody knows.
   std::vector<double> uncertainty = {};
   bool beside_set = false;  ///< none of the set's or the study's own: held out, or fitted as well, by its name
+  /// [nodes] the body's stress, Pa; empty where only displacements are known. In plane strain without its zz.
+  std::vector<Tensor> reference_stress = {};
 };
 
 /// Supports in ascending freedom order, each freedom once.

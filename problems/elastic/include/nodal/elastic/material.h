@@ -30,6 +30,10 @@ using Tensor = std::array<Vector, 3>;
   return {dot(t[0], v), dot(t[1], v), dot(t[2], v)};
 }
 
+/// The equivalent stress of a stress: √(½ [(xx−yy)² + (yy−zz)² + (zz−xx)²] + 3 (xy² + yz² + zx²)) [Pa]. Of a tensor in
+/// the plane zz is 0, as in plane stress.
+[[nodiscard]] double von_mises(const Tensor& stress);
+
 /// S of ε = S σ in Voigt's order xx, yy, zz, yz, zx, xy, with γ = 2ε for the last three: symmetric [1/Pa]. Of a body in
 /// the plane what its plane stress or strain answers with: rows and columns of zz, yz and zx are 0.
 using Compliance = std::array<std::array<double, 6>, 6>;
