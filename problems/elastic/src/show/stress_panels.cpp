@@ -79,6 +79,7 @@ class Scale {
     return kColours[bands_ > 1 ? band * (kColours.size() - 1) / (bands_ - 1) : kColours.size() / 2];
   }
   [[nodiscard]] std::size_t bands() const noexcept { return bands_; }
+  [[nodiscard]] std::string title() const { return fmt::format("Von Mises stress [{}]: ", unit_.name); }
   [[nodiscard]] std::string text(double stress) const { return figure_text(stress / unit_.size, 3) + " " + unit_.name; }
 
   [[nodiscard]] Drawing drawn(double width) const {
@@ -106,9 +107,8 @@ class Scale {
   }
   [[nodiscard]] std::string label(std::size_t b) const {
     const double stress = step_ * static_cast<double>(b);
-    const std::string figure = fmt::format("{:.4g}", stress / unit_.size);
-    if (b < bands_) return figure;
-    return figure + " " + unit_.name + (most_ > stress * (1.0 + 1e-9) ? " and more" : "");
+    const bool more = b == bands_ && most_ > stress * (1.0 + 1e-9);
+    return fmt::format("{:.4g}{}", stress / unit_.size, more ? "+" : "");
   }
 
   double most_ = 0.0, step_ = 1.0;
@@ -177,7 +177,7 @@ Drawing panels_of(const Picture& picture, const PicturedStress& stress, double w
   const bool below = box.width() > kWideBody * box.height();
   const Frame frame = fit_frame(box, below ? width : 0.5 * (width - kGap), kPanelMargin, 0.0);
   const Scale scale(stress);
-  Drawing drawing{text_at({0.0, 14.0}, shortened("Von Mises stress: " + stress.load, width, 13.5), "name"), width,
+  Drawing drawing{text_at({0.0, 14.0}, shortened(scale.title() + stress.load, width, 13.5), "name"), width,
                   kHeadHeight};
   drawing.text += captioned(body_panel(picture, stress, frame, scale), frame, 0.0, drawing.height,
                             "body, by finite elements: up to " + scale.text(largest_of(stress.body)));
@@ -207,7 +207,8 @@ Drawing stress_panels(const Picture& picture, double width) {
   }
   if (left_out > 0) {
     all.text +=
-        text_at({0.0, all.height + 12.0}, fmt::format("Stresses of {} more loads aren't drawn.", left_out), "quiet");
+        text_at({0.0, all.height + 12.0},
+                fmt::format("Stresses of {} more load{} are left out.", left_out, left_out == 1 ? "" : "s"), "quiet");
     all.height += kLineHeight;
   }
   return all;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "show/panels.h"
+#include "show/stress_panels.h"
 
 #include <gtest/gtest.h>
 
@@ -62,6 +63,33 @@ TEST(PlateSvg, DrawsSpringsBodyForcesAndSupports) {
       R"(<rect class="held" x="2.5" y="189.2" width="5.0" height="5.0"/>)"
       R"(<rect class="held" x="2.5" y="2.5" width="5.0" height="5.0"/>)"
       R"(</svg>)");
+}
+
+// Two triangles and two cells: bands of 1 MPa up to what 99 % are below, the highest with its plus; the colour of a
+// value is that of its band on the scale, whoever has it.
+TEST(StressPanels, ShowBodyAndNetOnOneScale) {
+  Picture plate = fixture::make_square("start", 0.5);
+  EXPECT_EQ(stress_panels(plate, 500.0).height, 0.0);
+  plate.rings = {{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
+  plate.shares = {{{{0, 0}, {0.5, 0}, {0.5, 0.5}, {0, 0.5}}}, {}, {}, {{{0.5, 0.5}, {1, 0.5}, {1, 1}, {0.5, 1}}}};
+  plate.stresses = {{"pull & push", plate.rings[0], {{0, 1, 2}, {0, 2, 3}}, {2.5e6, 9.5e6}, {2.1e6, 0.0, 0.0, 10e6}}};
+  const Drawing drawn = stress_panels(plate, 500.0);
+  EXPECT_GT(drawn.height, 200.0);
+  const auto count = [&](const std::string& part) {
+    std::size_t n = 0;
+    for (std::size_t at = drawn.text.find(part); at != std::string::npos; at = drawn.text.find(part, at + 1)) ++n;
+    return n;
+  };
+  EXPECT_EQ(count("Von Mises stress [MPa]: pull &amp; push"), 1u);
+  EXPECT_EQ(count("body, by finite elements: up to 9.50 MPa"), 1u);
+  EXPECT_EQ(count("springs, by node: up to 10.0 MPa"), 1u);
+  EXPECT_EQ(count("<rect"), 10u);
+  EXPECT_EQ(count("fill:#fec187"), 2u);  // from 2 to 3 MPa: a triangle and a cell
+  EXPECT_EQ(count("fill:#3d1069"), 2u);  // from 9 to 10 MPa
+  EXPECT_EQ(count("fill:#"), 4u);
+  EXPECT_EQ(count("+</text>"), 0u);
+  plate.stresses[0].triangles.resize(kMostStressTriangles + 1, {0, 1, 2});
+  EXPECT_NE(stress_panels(plate, 500.0).text.find("Stresses of 1 more load are left out."), std::string::npos);
 }
 
 }  // namespace
