@@ -64,7 +64,7 @@ void add_virial(const Vector& direction, double virial, Tensor& sum) {
 }  // namespace
 
 NodeVolumes node_volumes(const Net& net, const MaterialField& material) {
-  if (net.dimension == 3) {
+  if (!net.tetrahedra.empty()) {
     Shares volumes = quarters_of_tetrahedra(net);
     return all_positive(volumes) ? NodeVolumes{std::move(volumes), "quarters of tetrahedra"} : NodeVolumes{};
   }

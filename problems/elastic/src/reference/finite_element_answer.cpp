@@ -80,9 +80,9 @@ std::vector<fe::Location> located(const fe::Mesh& mesh, const std::vector<Vector
 // The stresses of loads, on the mesh of a result.
 class Stresses {
  public:
-  Stresses(const fe::ConvergeResult& found, const BodyMesh& body)
+  Stresses(const fe::ConvergeResult& found, const BodyMesh& body, bool has_outline)
       : mesh_(found.mesh), regions_(body.regions()), nodes_(located(mesh_, body.wanted())) {
-    if (mesh_.dimension == 2 && mesh_.cell_count() >> (2 * found.refinements) <= kMostDrawnTriangles)
+    if (has_outline && mesh_.cell_count() >> (2 * found.refinements) <= kMostDrawnTriangles)
       drawn_ = fe::ancestors(mesh_, found.refinements);
   }
 
@@ -147,7 +147,7 @@ FiniteElementAnswer answer_by_finite_elements(const Net& net, const MaterialFiel
   FiniteElementAnswer answer;
   answer.loads.resize(loads.size());
   answer.summary.errors.resize(loads.size());
-  const Stresses stresses(found, *body);
+  const Stresses stresses(found, *body, net.body.has_outline());
   answer.mesh = stresses.drawn();
   answer.mesh.von_mises.resize(loads.size());
   for (std::size_t k = 0; k < asked.order.size(); ++k) {

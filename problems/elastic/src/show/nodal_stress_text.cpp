@@ -2,6 +2,8 @@
 #include "show/nodal_stress_text.h"
 
 #include <algorithm>
+#include <array>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -22,11 +24,14 @@ std::string line_of(const Net& net, const LoadState& load, const std::vector<Ten
 }  // namespace
 
 Value stress_json(std::size_t dimension, const std::vector<Tensor>& stress) {
+  constexpr std::array<std::array<std::size_t, 2>, 6> kVoigt = {{{0, 0}, {1, 1}, {2, 2}, {1, 2}, {2, 0}, {0, 1}}};
   Value::List list;
-  for (const Tensor& t : stress)
-    list.emplace_back(dimension == 2 ? Value::List{Value(t[0][0]), Value(t[1][1]), Value(t[0][1])}
-                                     : Value::List{Value(t[0][0]), Value(t[1][1]), Value(t[2][2]), Value(t[1][2]),
-                                                   Value(t[2][0]), Value(t[0][1])});
+  for (const Tensor& t : stress) {
+    Value::List components;
+    for (const auto& [a, b] : kVoigt)
+      if (std::max(a, b) < dimension) components.emplace_back(t[a][b]);
+    list.emplace_back(std::move(components));
+  }
   return Value(std::move(list));
 }
 
