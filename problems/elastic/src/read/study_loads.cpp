@@ -36,9 +36,21 @@ void require_supports_of_dimension(const Options& loads, std::size_t dimension) 
                                  dimension == 3 ? "in space" : "in the plane", held));
 }
 
-// The basic loads, as by `make` of their specs.
-template <class Make>
-auto read_basic_loads(const Options& loads, const Scene& scene, Account& account, Make make) {
+// What is wrong with a body for the basic loads, and what would be right.
+[[noreturn]] void refuse_to_place(const Options& loads, const Net& net, const Refusal& refusal) {
+  const bool bare = std::ranges::any_of(net.outlines, [](const auto& nodes) { return nodes.size() < 2; });
+  const char* advice =
+      net.outlines.empty() ? "describe it, as by body = { size = [4, 4] }"
+      : bare
+          ? "choose points of which some lie on each outline, as springs = { topology = \"delaunay\" } has for any grid"
+          : "take loads = { supports = \"minimal\" }";
+  throw InputError(
+      loads.values().source,
+      fmt::format("{}; {}, or describe loads of your own by [[problem.loads.cases]]", refusal.what(), advice));
+}
+
+// Those that the net can bear; each is placed once to see that.
+std::vector<LoadSpec> read_basic_loads(const Options& loads, const Scene& scene, Account& account) {
   require_supports_of_dimension(loads, scene.net.dimension);
   const double stress = loads.has("stress") ? loads.number("stress") : 1.0;
   if (stress == 0.0)
@@ -46,30 +58,20 @@ auto read_basic_loads(const Options& loads, const Scene& scene, Account& account
                      "'stress' is 0: the reference displacement is zero everywhere, so there is nothing to fit");
   const bool chosen = !loads.has("supports");
   const bool minimal = chosen ? !has_edges_to_hold(scene.net) : loads.text("supports") == "minimal";
+  std::vector<LoadSpec> specs =
+      basic_load_specs(scene.net.dimension, stress, minimal ? SupportStyle::minimal : SupportStyle::edge);
   try {
-    auto made =
-        make(basic_load_specs(scene.net.dimension, stress, minimal ? SupportStyle::minimal : SupportStyle::edge));
-    if (chosen)
-      account.data.set(
-          "supports",
-          minimal
-              ? "supports = \"minimal\": the body has no straight edges on its left and lower side, as \"edge\" holds"
-          : scene.net.dimension == 3 ? "supports = \"face\""
-                                     : "supports = \"edge\"");
-    return made;
+    for (const LoadSpec& spec : specs) (void)place(spec, scene.net);
   } catch (const Refusal& refusal) {
-    const auto& outlines = scene.net.outlines;
-    const bool bare = std::ranges::any_of(outlines, [](const auto& nodes) { return nodes.size() < 2; });
-    const char* advice =
-        outlines.empty() ? "describe it, as by body = { size = [4, 4] }"
-        : bare
-            ? "choose points of which some lie on each outline, as springs = { topology = \"delaunay\" } has for any "
-              "grid"
-            : "take loads = { supports = \"minimal\" }";
-    throw InputError(
-        loads.values().source,
-        fmt::format("{}; {}, or describe loads of your own by [[problem.loads.cases]]", refusal.what(), advice));
+    refuse_to_place(loads, scene.net, refusal);
   }
+  if (chosen)
+    account.data.set(
+        "supports",
+        minimal ? "supports = \"minimal\": the body has no straight edges on its left and lower side, as \"edge\" holds"
+        : scene.net.dimension == 3 ? "supports = \"face\""
+                                   : "supports = \"edge\"");
+  return specs;
 }
 
 // A line per load: what its selections took.
@@ -108,15 +110,13 @@ Found read_set(const Options& problem, const ProblemContext& context, References
   if (references.choice().method == ReferenceChoice::Method::none)
     throw InputError(references.choice().source, "method = \"none\" is for loads of your own; leave 'method' out");
   const Options reference = problem.table("reference");
+  const std::vector<LoadSpec> specs = read_basic_loads(loads, scene, account);
   if (!reference.has("file")) {
-    scene.loads = read_basic_loads(loads, scene, account, [&](const auto& specs) { return references.of(specs); });
+    scene.loads = at(references.choice().source, [&] { return references.of(specs); });
     return {};
   }
-  std::vector<PlacedLoad> placed = read_basic_loads(loads, scene, account, [&](const auto& specs) {
-    std::vector<PlacedLoad> each;
-    for (const LoadSpec& spec : specs) each.push_back(place(spec, scene.net));
-    return each;
-  });
+  std::vector<PlacedLoad> placed;
+  for (const LoadSpec& spec : specs) placed.push_back(place(spec, scene.net));
   const std::vector<Source> sources(placed.size(), loads.values().source);
   return take(measured_loads(reference, context, std::move(placed), sources, scene.net, account), scene);
 }
@@ -141,7 +141,7 @@ void leave_without_reference(std::vector<PlacedLoad> placed, const std::vector<S
   scene.has_reference = false;
   scene.fit_refusal =
       InputError(reference, fmt::format("cases of your own need reference = {{ file = \"displacements.csv\" }}, the "
-                                        "displacements to be matched: {}",
+                                        "displacements to be matched, where finite elements have no answer: {}",
                                         why))
           .what();
   scene.loads = only_solved(std::move(placed), sources, scene.net);
@@ -165,8 +165,9 @@ Found read_own_loads(const Options& problem, const ProblemContext& context, Refe
     throw InputError(choice.source,
                      "method = \"analytic\" has no answer to loads of your own: a closed form is known "
                      "for the basic loads only; take \"finite-elements\", or leave 'method' out");
-  std::string why =
-      choice.method == Method::none ? "method = \"none\" compares with nothing" : references.no_answer_for(placed);
+  std::string why = choice.method == Method::none
+                        ? "method = \"none\" compares with nothing; leave it out to have them asked"
+                        : references.no_answer_for(placed);
   if (why.empty()) try {
       scene.loads = references.of(placed);
     } catch (const Refusal& refusal) {

@@ -19,11 +19,13 @@ std::string describe(const FiniteElementAnswer::Summary& summary, double toleran
   const auto worst = std::ranges::max_element(summary.errors);
   const std::string& name = summary.names[static_cast<std::size_t>(worst - summary.errors.begin())];
   return fmt::format(
-      "{}: {} meshes, up to {} quadratic {} with {} unknowns; estimated error {:.1e} of the largest "
+      "{}: {} meshes, the best of {} quadratic {} with {} unknowns; estimated error {:.1e} of the largest "
       "displacement{}{}",
       fmt::join(summary.names, ", "), summary.meshes, summary.cells, summary.elements, summary.unknowns, *worst,
       summary.errors.size() > 1 ? fmt::format(" ({})", name) : "",
-      summary.converged ? "" : fmt::format(", not the tolerance of {:g}", tolerance));
+      summary.converged       ? ""
+      : summary.limit.empty() ? fmt::format(", not the tolerance of {:g}", tolerance)
+                              : fmt::format(", not the tolerance of {:g}: {}", tolerance, summary.limit));
 }
 
 // Of each load, and of how it was found.
@@ -36,6 +38,7 @@ Value report(const FiniteElementAnswer::Summary& summary) {
   table.set("cells", Value(static_cast<std::int64_t>(summary.cells)));
   table.set("unknowns", Value(static_cast<std::int64_t>(summary.unknowns)));
   table.set("converged", summary.converged);
+  table.set("elements", summary.elements);
   return table;
 }
 
@@ -52,6 +55,7 @@ LoadSet References::of(const std::vector<LoadSpec>& specs) {
           fmt::format("load '{}' has no closed form: {}; take reference = {{ method = \"finite-elements\" }}, or leave "
                       "'method' out",
                       spec.name, why));
+    if (no_closed_form_.empty() && !why.empty()) no_closed_form_ = fmt::format("of '{}': {}", spec.name, why);
     if (choice_.method == Method::finite_elements || !why.empty()) {
       open.push_back(loads.size() - 1);
       continue;
@@ -128,7 +132,7 @@ LoadSet References::finish(std::vector<Answered> loads) {
 
 void References::tell(std::string_view no_closed_form, std::string_view no_elements) {
   if (analytic_) account_.used(kAnalyticStage, "a homogeneous body under homogeneous stress: the closed form is exact");
-  account_.left_out(kAnalyticStage, std::string(no_closed_form));
+  account_.left_out(kAnalyticStage, no_closed_form_.empty() ? std::string(no_closed_form) : no_closed_form_);
   if (meshed_.empty()) return account_.left_out(kFiniteElementStage, std::string(no_elements));
   std::vector<std::string> told;
   Value::List reports;

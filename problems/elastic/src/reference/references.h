@@ -47,7 +47,7 @@ class References {
   [[nodiscard]] std::string no_answer_for(const std::vector<PlacedLoad>& loads) const;
 
   /// What was taken so far, and why the others weren't.
-  void tell(std::string_view no_closed_form = "no load has one, or finite elements were chosen",
+  void tell(std::string_view no_closed_form = "finite elements were chosen",
             std::string_view no_elements = "the closed form is exact");
 
   [[nodiscard]] const ReferenceChoice& choice() const noexcept { return choice_; }
@@ -70,6 +70,7 @@ class References {
   Account& account_;
   ResultCache cache_;                                 // of finite elements' answers
   bool analytic_ = false;                             // some load, of all calls
+  std::string no_closed_form_;                        // why the first that has none hasn't
   std::vector<FiniteElementAnswer::Summary> meshed_;  // of all calls
 };
 

@@ -65,7 +65,7 @@ inline constexpr std::size_t kBodyRegion = 0;
 struct MaterialField {
   MaterialField() = default;
   /// The same everywhere. Implicit, since most bodies are of one material.
-  MaterialField(Material everywhere) : base(std::move(everywhere)) {}
+  MaterialField(const Material& everywhere) : base(everywhere) {}
 
   Material base;
   std::vector<Region> regions = {};
