@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-/// The loads that a study holds out: named ones, or the bendings where the reference is the closed form; and those at
-/// rest that it fits beside its set's.
+/// The loads that a study holds out: named ones, or the bendings where nothing was measured; and those at rest that it
+/// fits beside its set's.
 
 #include <nodal/elastic/scene.h>
 

@@ -4,6 +4,9 @@
 /// The displacements that loads are compared with, where nobody measured them: in closed form where that is exact, by
 /// finite elements elsewhere, or as the study chooses.
 ///
+/// Units    m, Pa; a tolerance is relative to a load's largest displacement.
+/// Cost     closed forms: none worth naming; finite elements: finite_element_answer.h, or a file read where a cache has
+///          them.
 /// Threads  one at a time.
 
 #include <optional>
@@ -34,7 +37,7 @@ struct ReferenceChoice {
 
 class References {
  public:
-  /// All must outlive it.
+  /// Net, material and account must outlive it.
   References(ReferenceChoice choice, const Net& net, const MaterialField& material, Account& account,
              ResultCache cache = {})
       : choice_(std::move(choice)), net_(net), material_(material), account_(account), cache_(std::move(cache)) {}
