@@ -45,6 +45,24 @@ MassDetails masses_of(const Value& table) {
   return masses;
 }
 
+// Without a load that has an error there is nothing to say.
+std::optional<ElementDetails> elements_of(const Value& run) {
+  const Value* errors = run.is_table() ? run.find("errors") : nullptr;
+  if (!errors || !errors->is_table()) return std::nullopt;
+  ElementDetails elements;
+  for (const auto& [name, error] : errors->table())
+    if (error.is_number() && error.number() >= 0.0 && error.number() <= kLargest)
+      elements.loads.push_back({name, error.number()});
+  if (elements.loads.empty()) return std::nullopt;
+  elements.elements = run.text_or("elements", "elements");
+  elements.meshes = number_of(run, "meshes", kLargestCount).value_or(0.0);
+  elements.cells = number_of(run, "cells", kLargestCount).value_or(0.0);
+  elements.unknowns = number_of(run, "unknowns", kLargestCount).value_or(0.0);
+  const Value* converged = run.find("converged");
+  elements.converged = !converged || !converged->is_boolean() || converged->boolean();
+  return elements;
+}
+
 }  // namespace
 
 SystemDetails read_details(const Value& details) {
@@ -54,6 +72,9 @@ SystemDetails read_details(const Value& details) {
     for (const Value& line : lines->list())
       if (const auto step = step_of(line)) read.iterations.push_back(*step);
   if (const Value* masses = details.find("masses"); masses && masses->is_table()) read.masses = masses_of(*masses);
+  if (const Value* runs = details.find("finite_elements"); runs && runs->is_list())
+    for (const Value& run : runs->list())
+      if (auto elements = elements_of(run)) read.references.push_back(std::move(*elements));
   return read;
 }
 

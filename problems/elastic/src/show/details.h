@@ -26,16 +26,30 @@ struct MassDetails {
   std::vector<Moment> moments;
 };
 
+/// Loads whose reference values one run of finite elements found.
+struct ElementDetails {
+  struct Load {
+    std::string name;
+    double error = 0.0;  ///< estimated, relative to the load's largest displacement
+  };
+
+  std::string elements;  ///< "triangles"
+  std::vector<Load> loads;
+  double meshes = 0.0, cells = 0.0, unknowns = 0.0;  ///< counts; the last two of the finest mesh
+  bool converged = true;                             ///< every error is within the tolerance asked for
+};
+
 struct SystemDetails {
   std::vector<plane::VoronoiStep> iterations;  ///< empty without iterated Voronoi regions
   std::optional<MassDetails> masses;
+  std::vector<ElementDetails> references = {};  ///< empty where no load has its reference from finite elements
 };
 
 /// What isn't there, or isn't what it should be, is left out: manifests of other builds are read, too.
 [[nodiscard]] SystemDetails read_details(const Value& details);
 
-/// How even the points became, with a chart that voronoi.js draws, and how well the masses move like the body. Empty
-/// where the details say neither.
+/// How even the points became, with a chart that voronoi.js draws, how well the masses move like the body, and how well
+/// reference values by finite elements are known. Empty where the details say nothing of these.
 [[nodiscard]] std::string details_html(const SystemDetails& details);
 /// The same with what a page needs for it.
 [[nodiscard]] ReportPart details_part(const Value& details);

@@ -113,10 +113,37 @@ std::string masses_html(const std::optional<MassDetails>& masses) {
   return text;
 }
 
+std::string reference_row(const ElementDetails& run, const ElementDetails::Load& load) {
+  return fmt::format(
+      "<tr><th scope=\"row\">{}</th><td>{}{}</td><td>{:.0f} quadratic {}</td><td>{:.0f}</td><td>{:.0f}</td></tr>\n",
+      escape_html(load.name), error_text(load.error), run.converged ? "" : "*", run.cells, escape_html(run.elements),
+      run.unknowns, run.meshes);
+}
+
+std::string references_html(const std::vector<ElementDetails>& runs) {
+  if (runs.empty()) return {};
+  std::string rows;
+  bool short_of = false;
+  for (const ElementDetails& run : runs) {
+    short_of = short_of || !run.converged;
+    for (const ElementDetails::Load& load : run.loads) rows += reference_row(run, load);
+  }
+  return fmt::format(
+      "<h3>Reference values <small>by finite elements</small></h3>\n<p>How well they are known: the estimated error of "
+      "each load&#39;s displacements, relative to its largest. A relative error of a fit below it says nothing "
+      "more.</p>\n"
+      "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"Reference values\"><table "
+      "class=\"references\"><thead><tr><th scope=\"col\">load</th><th scope=\"col\">estimated error</th><th "
+      "scope=\"col\">finest mesh</th><th scope=\"col\">unknowns</th><th scope=\"col\">meshes</th></tr></thead>\n"
+      "<tbody>{}</tbody></table></div>\n{}",
+      rows,
+      short_of ? "<p class=\"note\">* not the tolerance that was asked for, by some load of that mesh</p>\n" : "");
+}
+
 }  // namespace
 
 std::string details_html(const SystemDetails& details) {
-  return iterations_html(details.iterations) + masses_html(details.masses);
+  return iterations_html(details.iterations) + masses_html(details.masses) + references_html(details.references);
 }
 
 ReportPart details_part(const Value& details) {

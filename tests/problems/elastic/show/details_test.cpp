@@ -101,6 +101,20 @@ TEST(Details, ShowHowFarMassesAreOff) {
   EXPECT_TRUE(details_html({}).empty());
 }
 
+TEST(Details, SayHowWellReferenceValuesAreKnown) {
+  const SystemDetails details = read(R"({"details": {"finite_elements": [
+      {"errors": {"shear": 5e-05, "pull": 0.00025}, "elements": "triangles", "meshes": 4, "cells": 1200,
+       "unknowns": 5002, "converged": false},
+      {"errors": {"bend": 1e-06}, "elements": "triangles", "meshes": 2, "cells": 300, "unknowns": 1302,
+       "converged": true},
+      {"errors": {"none": "much"}}, 7]}})");
+  ASSERT_EQ(details.references.size(), 2u);
+  const std::string html = details_html(details);
+  EXPECT_TRUE(contains(html, "<th scope=\"row\">pull</th><td>2.5e-04*</td><td>1200 quadratic triangles</td>")) << html;
+  EXPECT_TRUE(contains(html, "<th scope=\"row\">bend</th><td>1.0e-06</td>"));
+  EXPECT_TRUE(contains(html, "* not the tolerance"));
+}
+
 TEST(Details, BringTheirScriptOnlyWhereThereIsAChart) {
   const Value problem = parse_json(kProblem, "test");
   const ReportPart part = details_part(problem.at("details"));
@@ -117,6 +131,7 @@ TEST(Details, CantBreakOutOfThePage) {
   constexpr const char* hostile = "</script><img src=x onerror=alert(1)>";
   SystemDetails details = fixture::make_details(0);
   details.masses->message = details.masses->form = details.masses->moments[0].name = hostile;
+  details.references.push_back({hostile, {{hostile, 1.0}}});
   const std::string html = details_html(details);
   EXPECT_FALSE(contains(html, "<img"));
   EXPECT_FALSE(contains(html, "</script"));
