@@ -178,4 +178,8 @@ std::string describe_selection(const Options& table) {
   return text;
 }
 
+std::string counted(std::size_t count, const char* what) {
+  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+}
+
 }  // namespace nodal::elastic

@@ -6,6 +6,7 @@
 /// Several keys together mean their intersection: `edge = "outline", box = [0, 0, 1, 4]` is the part of the outline in
 /// that box.
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -22,5 +23,8 @@ namespace nodal::elastic {
 
 /// A selection in a phrase, for people: "edge left near [0, 1]".
 [[nodiscard]] std::string describe_selection(const Options& table);
+
+/// "1 node", "2 nodes".
+[[nodiscard]] std::string counted(std::size_t count, const char* what);
 
 }  // namespace nodal::elastic

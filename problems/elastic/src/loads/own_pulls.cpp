@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "loads/own_pulls.h"
+
+#include <initializer_list>
+
+#include <fmt/format.h>
+
+#include <nodal/error.h>
+
+#include "loads/border_pieces.h"
+#include "loads/selection.h"
+
+namespace nodal::elastic {
+
+namespace {
+
+// Exactly one of the keys must be there; returns it.
+std::string one_of(const Options& table, std::initializer_list<const char*> keys) {
+  std::string found;
+  std::string all;
+  for (const char* key : keys) {
+    all += fmt::format("{}'{}'", all.empty() ? "" : " or ", key);
+    if (!table.has(key)) continue;
+    if (!found.empty())
+      throw InputError(table.values().source, fmt::format("'{}' and '{}' exclude each other", found, key));
+    found = key;
+  }
+  if (found.empty()) throw InputError(table.values().source, fmt::format("{} is missing", all));
+  return found;
+}
+
+// A constant traction pulls with t · length · traction, whatever the direction of the edge.
+void add_traction(const Net& net, const BorderPiece& piece, const Vector& traction, std::span<double> forces) {
+  const double share = piece.share * norm(piece.area);
+  for (const std::size_t node : piece.nodes)
+    for (std::size_t axis = 0; axis < net.dimension; ++axis)
+      forces[net.freedoms().at(node, axis)] += share * traction[axis];
+}
+
+// What a traction says: t, or the stress whose σ·n it is.
+BorderPull pull_of(const Options& table) {
+  const std::string key = one_of(table, {"traction", "pressure", "stress"});
+  BorderPull pull;
+  pull.local_thickness = true;
+  if (key == "traction") {
+    const std::vector<double> t = table.numbers(key);
+    pull.traction = {t[0], t[1], 0.0};
+  } else if (key == "pressure") {
+    const double p = table.number(key);
+    pull.stress.at_centre = {{{-p, 0.0, 0.0}, {0.0, -p, 0.0}, {}}};
+  } else {
+    const std::vector<double> s = table.numbers(key);
+    pull.stress.at_centre = {{{s[0], s[2], 0.0}, {s[2], s[1], 0.0}, {}}};
+  }
+  return pull;
+}
+
+// With the thickness of the region that its middle is in.
+BorderPiece as_thick_as_there(BorderPiece piece, const Net& net, const MaterialField& material) {
+  Vector middle{};
+  for (const std::size_t node : piece.nodes)
+    for (std::size_t axis = 0; axis < net.dimension; ++axis)
+      middle[axis] += net.nodes[node][axis] / static_cast<double>(piece.nodes.size());
+  const double own = net.body.thickness, there = material.thickness_at(middle, own);
+  if (there != own) piece.share *= there / own;
+  return piece;
+}
+
+}  // namespace
+
+std::string add_forces(const Options& table, const Net& net, std::span<double> forces, BodyLoad& body) {
+  const std::vector<std::size_t> nodes = select_nodes(table, net);
+  const std::string key = one_of(table, {"force", "total"});
+  const std::vector<double> force = table.numbers(key);
+  const double share = key == "total" ? 1.0 / static_cast<double>(nodes.size()) : 1.0;
+  for (const std::size_t node : nodes)
+    for (std::size_t axis = 0; axis < net.dimension; ++axis)
+      forces[net.freedoms().at(node, axis)] += share * force[axis];
+  body.forces_on_nodes = true;
+  return fmt::format("force on {}: {}", describe_selection(table), counted(nodes.size(), "node"));
+}
+
+std::string add_tractions(const Options& table, const Net& net, const MaterialField& material, std::span<double> forces,
+                          BodyLoad& body) {
+  const std::vector<std::size_t> nodes = select_nodes(table, net);
+  BorderPull pull = pull_of(table);
+  const bool constant = table.has("traction");
+  std::size_t index = 0;
+  for_each_border_piece(net, [&](const BorderPiece& any) {
+    const std::size_t k = index++;
+    if (!any.within(nodes)) return;
+    const BorderPiece piece = as_thick_as_there(any, net, material);
+    pull.pieces.push_back(k);
+    constant ? add_traction(net, piece, pull.traction, forces) : add_stress(net, piece, pull.stress.at_centre, forces);
+  });
+  if (pull.pieces.empty())
+    throw InputError(
+        table.values().source,
+        net.body.has_outline()
+            ? fmt::format("no two neighbours on an outline are selected here, by {}, which takes {}: there is no edge "
+                          "to pull at",
+                          describe_selection(table), counted(nodes.size(), "node"))
+            : "a traction needs a body with an outline to pull at, and this one has none; describe it, as by body = { "
+              "size = [4, 4] }, or give forces");
+  const std::string told =
+      fmt::format("{} on {}: {}, {} of the outline", one_of(table, {"traction", "pressure", "stress"}),
+                  describe_selection(table), counted(nodes.size(), "node"), counted(pull.pieces.size(), "piece"));
+  body.pulls.push_back(std::move(pull));
+  return told;
+}
+
+}  // namespace nodal::elastic

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+/// What pulls in a load case of a study's own: entries of `forces` and `tractions`.
+///
+/// Each adds to the forces on nodes, [freedoms], and to what the body sees of it, and returns what was selected, for
+/// people. InputError for an entry that says none of what it may, or two.
+///
+/// Units    N, Pa.
+
+#include <span>
+#include <string>
+
+#include <nodal/options.h>
+
+#include "loads/placed_load.h"
+
+namespace nodal::elastic {
+
+std::string add_forces(const Options& table, const Net& net, std::span<double> forces, BodyLoad& body);
+
+/// At each piece of an outline whose ends are selected, with the thickness of the region that its middle is in.
+std::string add_tractions(const Options& table, const Net& net, const MaterialField& material, std::span<double> forces,
+                          BodyLoad& body);
+
+}  // namespace nodal::elastic
