@@ -26,8 +26,7 @@ struct OwnCase {
 [[nodiscard]] OptionSchema case_fields();
 
 /// InputError for a name that is empty or stands twice, a case that nothing pulls or moves, a freedom held at two
-/// different displacements, and selections that select nothing. A piece of an outline pulls with the thickness of the
-/// region of material that its middle is in.
+/// different displacements, and selections that select nothing.
 [[nodiscard]] std::vector<OwnCase> read_own_cases(const std::vector<Options>& cases, const Net& net,
                                                   const MaterialField& material);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "loads/own_pulls.h"
 
+#include <array>
 #include <initializer_list>
 
 #include <fmt/format.h>
@@ -8,6 +9,7 @@
 #include <nodal/error.h>
 
 #include "loads/border_pieces.h"
+#include "loads/border_thickness.h"
 #include "loads/selection.h"
 
 namespace nodal::elastic {
@@ -29,14 +31,6 @@ std::string one_of(const Options& table, std::initializer_list<const char*> keys
   return found;
 }
 
-// A constant traction pulls with t · length · traction, whatever the direction of the edge.
-void add_traction(const Net& net, const BorderPiece& piece, const Vector& traction, std::span<double> forces) {
-  const double share = piece.share * norm(piece.area);
-  for (const std::size_t node : piece.nodes)
-    for (std::size_t axis = 0; axis < net.dimension; ++axis)
-      forces[net.freedoms().at(node, axis)] += share * traction[axis];
-}
-
 // What a traction says: t, or the stress whose σ·n it is.
 BorderPull pull_of(const Options& table) {
   const std::string key = one_of(table, {"traction", "pressure", "stress"});
@@ -55,15 +49,15 @@ BorderPull pull_of(const Options& table) {
   return pull;
 }
 
-// With the thickness of the region that its middle is in.
-BorderPiece as_thick_as_there(BorderPiece piece, const Net& net, const MaterialField& material) {
-  Vector middle{};
-  for (const std::size_t node : piece.nodes)
+// What pulls at a piece, by what its ends get of it: a traction by its length, whatever the direction of the edge, or a
+// stress by its normal.
+void add_pull(const Net& net, const BorderPiece& piece, const std::array<double, 2>& shares, const BorderPull& pull,
+              bool constant, std::span<double> forces) {
+  const double measure = constant ? norm(piece.area) : 1.0;
+  const Vector force = constant ? pull.traction : pull.stress.at_centre * piece.area;
+  for (std::size_t end = 0; end < piece.nodes.size(); ++end)
     for (std::size_t axis = 0; axis < net.dimension; ++axis)
-      middle[axis] += net.nodes[node][axis] / static_cast<double>(piece.nodes.size());
-  const double own = net.body.thickness, there = material.thickness_at(middle, own);
-  if (there != own) piece.share *= there / own;
-  return piece;
+      forces[net.freedoms().at(piece.nodes[end], axis)] += shares[end] * measure * force[axis];
 }
 
 }  // namespace
@@ -85,13 +79,14 @@ std::string add_tractions(const Options& table, const Net& net, const MaterialFi
   const std::vector<std::size_t> nodes = select_nodes(table, net);
   BorderPull pull = pull_of(table);
   const bool constant = table.has("traction");
+  std::vector<std::array<double, 2>> uneven;
+  if (has_uneven_thickness(material, net.body)) uneven = thickness_shares(net, material);
   std::size_t index = 0;
-  for_each_border_piece(net, [&](const BorderPiece& any) {
+  for_each_border_piece(net, [&](const BorderPiece& piece) {
     const std::size_t k = index++;
-    if (!any.within(nodes)) return;
-    const BorderPiece piece = as_thick_as_there(any, net, material);
+    if (!piece.within(nodes)) return;
     pull.pieces.push_back(k);
-    constant ? add_traction(net, piece, pull.traction, forces) : add_stress(net, piece, pull.stress.at_centre, forces);
+    add_pull(net, piece, uneven.empty() ? std::array{piece.share, piece.share} : uneven.at(k), pull, constant, forces);
   });
   if (pull.pieces.empty())
     throw InputError(

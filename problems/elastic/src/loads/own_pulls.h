@@ -19,7 +19,8 @@ namespace nodal::elastic {
 
 std::string add_forces(const Options& table, const Net& net, std::span<double> forces, BodyLoad& body);
 
-/// At each piece of an outline whose ends are selected, with the thickness of the region that its middle is in.
+/// At each piece of an outline whose ends are selected, with the thickness that the body has along it
+/// (border_thickness.h).
 std::string add_tractions(const Options& table, const Net& net, const MaterialField& material, std::span<double> forces,
                           BodyLoad& body);
 
