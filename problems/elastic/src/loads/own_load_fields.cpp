@@ -79,6 +79,14 @@ OptionSchema case_fields() {
        .default_value = Value(Value::List{}),
        .help = "what pulls at an edge: at every piece of an outline with both ends selected, by tributary length",
        .fields = traction_fields()},
+      {.name = "body_force",
+       .type = OptionType::number_list,
+       .default_text = "none",
+       .unit = "N/m³",
+       .length = 2,
+       .help =
+           "on all of the body, in x and y, as its weight ρ g; a node gets it times its Voronoi cell's volume (needs "
+           "CGAL)"},
   };
 }
 

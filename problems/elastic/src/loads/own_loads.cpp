@@ -25,6 +25,19 @@ bool only_on_supports(std::span<const double> forces, const HeldFreedoms& held) 
   return some;
 }
 
+[[noreturn]] void refuse_at_rest(const OwnCase& one, const Net& net, const HeldFreedoms& held) {
+  std::size_t free = net.nodes.size() - 1;  // a node that the forces may pull down, so that the advice can be pasted
+  while (free > 0 && held.contains(net.freedoms().at(free, 1))) --free;
+  const std::string node = fmt::format("near = [{}, {}]", net.nodes[free][0], net.nodes[free][1]);
+  throw InputError(
+      one.source,
+      fmt::format("nothing pulls or moves in load '{}': give it forces, as forces = [{{ {}, force = [0, -1] }}], {}"
+                  "or supports that move, as {{ {}, displacement = [0.1, 0] }}",
+                  one.load.name, node,
+                  net.body.has_outline() ? "tractions, as tractions = [{ edge = \"right\", traction = [1, 0] }], " : "",
+                  node));
+}
+
 OwnCase read_case(const Options& table, const Net& net, const MaterialField& material) {
   OwnCase result{{table.text("name"), std::vector<double>(net.freedoms().size(), 0.0)}, table.values().source};
   PlacedLoad& load = result.load;
@@ -42,6 +55,8 @@ OwnCase read_case(const Options& table, const Net& net, const MaterialField& mat
     pull([&](std::span<double> own) { return add_forces(force, net, own, load.body); });
   for (const Options& traction : table.tables("tractions"))
     pull([&](std::span<double> own) { return add_tractions(traction, net, material, own, load.body); });
+  if (table.has("body_force"))
+    pull([&](std::span<double> own) { return add_body_force(table.at("body_force"), net, material, own, load.body); });
   bool moved = std::ranges::any_of(load.forces, [](double f) { return f != 0.0; });
   for (const auto& [freedom, hold] : held) {
     load.group.supports.push_back({net.freedoms().node_of(freedom), net.freedoms().axis_of(freedom), hold.value});
@@ -49,19 +64,7 @@ OwnCase read_case(const Options& table, const Net& net, const MaterialField& mat
     moved = moved || hold.measured || hold.value != 0.0;
   }
   load.body.points = points_of(load.body, load.group.supports, net);
-  if (!moved) {
-    std::size_t free = net.nodes.size() - 1;  // a node that the forces may pull down, so that the advice can be pasted
-    while (free > 0 && held.contains(net.freedoms().at(free, 1))) --free;
-    const std::string node = fmt::format("near = [{}, {}]", net.nodes[free][0], net.nodes[free][1]);
-    throw InputError(
-        result.source,
-        fmt::format(
-            "nothing pulls or moves in load '{}': give it forces, as forces = [{{ {}, force = [0, -1] }}], {}"
-            "or supports that move, as {{ {}, displacement = [0.1, 0] }}",
-            load.name, node,
-            net.body.has_outline() ? "tractions, as tractions = [{ edge = \"right\", traction = [1, 0] }], " : "",
-            node));
-  }
+  if (!moved) refuse_at_rest(result, net, held);
   return result;
 }
 

@@ -11,6 +11,8 @@
 #include "loads/border_pieces.h"
 #include "loads/border_thickness.h"
 #include "loads/selection.h"
+#include "masses/cell_integrals.h"
+#include "triangulation/triangulation.h"
 
 namespace nodal::elastic {
 
@@ -60,6 +62,17 @@ void add_pull(const Net& net, const BorderPiece& piece, const std::array<double,
       forces[net.freedoms().at(piece.nodes[end], axis)] += shares[end] * measure * force[axis];
 }
 
+// ∫ t dA of each node's part of the body.
+std::vector<double> volumes_of_cells(const Net& net, const MaterialField& material) {
+  const plane::Outline outline(net.body);
+  plane::VoronoiCells cells(outline, {});
+  cells.compute(in_plane(net.nodes));
+  std::vector<double> thickness;
+  for (std::size_t k = 0; k <= material.regions.size(); ++k)
+    thickness.push_back(material.thickness_of(k, net.body.thickness));
+  return cell_integrals(cells, material, net.body, thickness);
+}
+
 }  // namespace
 
 std::string add_forces(const Options& table, const Net& net, std::span<double> forces, BodyLoad& body) {
@@ -102,6 +115,25 @@ std::string add_tractions(const Options& table, const Net& net, const MaterialFi
                   describe_selection(table), counted(nodes.size(), "node"), counted(pull.pieces.size(), "piece"));
   body.pulls.push_back(std::move(pull));
   return told;
+}
+
+std::string add_body_force(const Value& option, const Net& net, const MaterialField& material, std::span<double> forces,
+                           BodyLoad& body) {
+  if (!net.body.has_outline())
+    throw InputError(option.source,
+                     "a body force needs a body with an outline to act in, and this one has none; describe it, as by "
+                     "body = { size = [4, 4] }, or give forces");
+  if (!triangulation_available())
+    throw InputError(option.source, fmt::format("a body force needs the nodes' Voronoi cells, and these need {}; give "
+                                                "forces instead",
+                                                triangulation_library()));
+  const std::vector<double> force = option.numbers();
+  const std::vector<double> volumes = at(option.source, [&] { return volumes_of_cells(net, material); });
+  for (std::size_t i = 0; i < volumes.size(); ++i)
+    for (std::size_t axis = 0; axis < net.dimension; ++axis)
+      forces[net.freedoms().at(i, axis)] += volumes[i] * force[axis];
+  for (std::size_t axis = 0; axis < net.dimension; ++axis) body.body_force[axis] = force[axis];
+  return fmt::format("body force on all of the body: {}", counted(volumes.size(), "node"));
 }
 
 }  // namespace nodal::elastic

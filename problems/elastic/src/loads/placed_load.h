@@ -8,7 +8,7 @@
 /// for_each_border_piece.
 ///
 /// Shapes   forces: [freedoms].
-/// Units    Pa, N, m.
+/// Units    Pa, N, N/m³, m.
 
 #include <cstddef>
 #include <string>
@@ -44,6 +44,7 @@ struct BodyLoad {
   std::vector<BorderPull> pulls;
   std::vector<BorderHold> holds;
   std::vector<Support> points;   ///< of nodes that no held piece holds along that axis, ascending
+  Vector body_force{};           ///< everywhere in the body, N/m³
   bool forces_on_nodes = false;  ///< some pull at points, which no continuum bears
 };
 

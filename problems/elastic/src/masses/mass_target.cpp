@@ -17,6 +17,13 @@ double excess_of(const MaterialField& material, std::size_t region, double densi
 
 }  // namespace
 
+std::vector<double> masses_per_area(const MaterialField& material, double density, const Body& body) {
+  std::vector<double> masses;
+  for (std::size_t k = 0; k <= material.regions.size(); ++k)
+    masses.push_back(material.density_of(k, density) * material.thickness_of(k, body.thickness));
+  return masses;
+}
+
 bool has_uneven_mass(const MaterialField& material, double density, const Body& body) {
   for (std::size_t k = 1; k <= material.regions.size(); ++k)
     if (excess_of(material, k, density, body) != 0.0) return true;

@@ -35,6 +35,9 @@ struct MassTarget {
 /// of regions of another density or thickness are those of their polygons, cut (geometry/plane/overlay.h).
 [[nodiscard]] MassTarget mass_target(const Body& body, double density, const MaterialField& material = {});
 
+/// ρ t of the body's own region and of each of the others, kg/m²: [1 + regions].
+[[nodiscard]] std::vector<double> masses_per_area(const MaterialField& material, double density, const Body& body);
+
 /// Some region has another mass per area than the body.
 [[nodiscard]] bool has_uneven_mass(const MaterialField& material, double density, const Body& body);
 

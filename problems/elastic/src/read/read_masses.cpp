@@ -6,6 +6,7 @@
 #include <nodal/error.h>
 
 #include "geometry/plane/voronoi_cells.h"
+#include "masses/cell_integrals.h"
 #include "masses/masses.h"
 #include "triangulation/triangulation.h"
 
@@ -20,11 +21,7 @@ std::vector<double> voronoi_masses(double density, const MaterialField& material
   const plane::Outline outline(net.body);
   plane::VoronoiCells cells(outline, {});
   cells.compute(in_plane(net.nodes));
-  std::vector<double> masses;
-  for (const plane::CellSums& cell : cells.cells()) masses.push_back(density * net.body.thickness * cell.area);
-  if (has_uneven_mass(material, density, net.body))
-    for (std::size_t i = 0; i < net.nodes.size(); ++i)
-      masses[i] += excess_moments(cells.rings(i), material, density, net.body).area;
+  std::vector<double> masses = cell_integrals(cells, material, net.body, masses_per_area(material, density, net.body));
   if (account.regions.empty())
     for (std::size_t i = 0; i < net.nodes.size(); ++i) account.regions.push_back(cells.rings(i));
   return masses;

@@ -83,6 +83,7 @@ void add_load(Numbers& to, const BodyLoad& load) {
     for (const Tensor& tensor : pull.stress.gradient)
       for (const Vector& row : tensor) to.add(row);
   }
+  to.add(load.body_force);
   to.count(load.holds.size());
   for (const BorderHold& hold : load.holds) to.counts(hold.pieces).count(hold.axis).add(hold.value);
   to.count(load.points.size());

@@ -66,6 +66,7 @@ class PlaneBodyMesh final : public BodyMesh {
         if (pull.traction != Vector{}) made.tractions.push_back(traction);
       }
     }
+    if (load.body_force != Vector{}) made.body_force.assign(1 + material_.regions.size(), load.body_force);
     return made;
   }
 

@@ -11,6 +11,7 @@
 
 #include "../study_files.h"
 #include "loads/border_thickness.h"
+#include "triangulation/triangulation.h"
 
 namespace nodal::elastic {
 namespace {
@@ -112,6 +113,53 @@ TEST_F(OwnLoads, PullAtABentEdgeWithTheThicknessOfTheBodyBesideIt) {
   const double above = (1.5 * 1.0 + 0.5 * 9.0) / 2.0, below = 1.0;  // the mean over two metres of border
   EXPECT_NEAR(total_of(*problem).x, std::sqrt(2.0) * 2.0 * (above + below), 1e-6)
       << "times the way between nodes; where a region begins is known to 1e-9 of the body's size";
+}
+
+// ── body forces
+
+// The whole volume is borne, whatever regions cut the cells, and lumps keep the torque to a cell's own arm.
+TEST_F(OwnLoads, BearTheBodyForceOfTheWholeVolume) {
+  if (!triangulation_available()) GTEST_SKIP() << "body forces need Voronoi cells";
+  const auto problem = plate(
+      "{ half_plane = { point = [1.3, 0], towards = [-1, 0.5] }, thickness = 3 }, { box = [2.2, 1.7, "
+      "3.1, 2.2], thickness = 0.1 }",
+      "body_force = [2, -9.81]\n");
+  const MaterialField& field = problem->scene().material;
+  double volume = 0.0;
+  for (std::size_t k = 0; k < field.shares.size(); ++k) volume += 16.0 * field.shares[k] * field.thickness_of(k, 1.0);
+  EXPECT_GT(volume, 17.0);
+  const Total total = total_of(*problem);
+  EXPECT_NEAR(total.x, 2.0 * volume, 1e-12);
+  EXPECT_NEAR(total.y, -9.81 * volume, 1e-12);
+}
+
+// A rod that hangs from its top at L, whose weight below y is borne at y: u_y = ρg (y² − L²)/(2E).
+TEST_F(OwnLoads, StretchAHangingRodAsItsWeightDoes) {
+  if (!triangulation_available()) GTEST_SKIP() << "body forces need Voronoi cells, finite elements meshes";
+  const std::string rod =
+      "body = { size = [1, 4], thickness = 0.5 }\npoints = { counts = [3, 9] }\nmaterial = { young = 5.0, poisson = "
+      "0.0 "
+      "}\n[[problem.loads.cases]]\nname = \"weight\"\nsupports = [{ edge = \"top\" }]\n";
+  const auto problem = read(rod + "body_force = [0, -3]\n");
+  const LoadCase& load = problem->scene().loads.loads.at(0);
+  for (std::size_t i = 0; i < problem->net().nodes.size(); ++i) {
+    const double y = problem->net().nodes[i][1];
+    EXPECT_NEAR(load.reference[2 * i], 0.0, 1e-9);
+    EXPECT_NEAR(load.reference[2 * i + 1], 3.0 / (2.0 * 5.0) * (y * y - 16.0), 1e-9) << y;
+  }
+  EXPECT_NEAR(total_of(*problem).y, -3.0 * 4.0 * 0.5, 1e-14);
+  // Answers are kept by what they are of: another body force isn't this one.
+  EXPECT_NE(read(rod + "body_force = [0, -6]\n")->scene().loads.loads.at(0).reference, load.reference);
+}
+
+TEST_F(OwnLoads, AreRefusedABodyForceWhereThereIsNoBody) {
+  write("nodes.csv", "x,y\n0,0\n4,0\n4,4\n");
+  write("springs.csv", "first,second\n0,1\n1,2\n2,0\n");
+  EXPECT_NE(refusal("points = { file = \"nodes.csv\" }\nsprings = { file = \"springs.csv\" "
+                    "}\n[[problem.loads.cases]]\nname = \"weight\"\nsupports = [{ nodes = [0, 1] }]\nbody_force = [0, "
+                    "-1]\n")
+                .find("a body force needs a body with an outline to act in"),
+            std::string::npos);
 }
 
 }  // namespace
