@@ -14,15 +14,16 @@ namespace nodal::elastic {
 
 namespace {
 
+// What supports bear, and what adds up to nothing, pulls at no point.
+bool some_at_free_nodes(std::span<const double> forces, const HeldFreedoms& held) {
+  for (std::size_t f = 0; f < forces.size(); ++f)
+    if (forces[f] != 0.0 && !held.contains(f)) return true;
+  return false;
+}
+
 // Whether all of the forces, of which there are some, act where supports hold the nodes.
 bool only_on_supports(std::span<const double> forces, const HeldFreedoms& held) {
-  bool some = false;
-  for (std::size_t f = 0; f < forces.size(); ++f) {
-    if (forces[f] == 0.0) continue;
-    if (!held.contains(f)) return false;
-    some = true;
-  }
-  return some;
+  return !some_at_free_nodes(forces, held) && std::ranges::any_of(forces, [](double f) { return f != 0.0; });
 }
 
 [[noreturn]] void refuse_at_rest(const OwnCase& one, const Net& net, const HeldFreedoms& held) {
@@ -52,7 +53,8 @@ OwnCase read_case(const Options& table, const Net& net, const MaterialField& mat
     std::ranges::transform(own, load.forces, load.forces.begin(), std::plus<>());
   };
   for (const Options& force : table.tables("forces"))
-    pull([&](std::span<double> own) { return add_forces(force, net, own, load.body); });
+    pull([&](std::span<double> own) { return add_forces(force, net, own); });
+  load.body.forces_on_nodes = some_at_free_nodes(load.forces, held);  // those so far
   for (const Options& traction : table.tables("tractions"))
     pull([&](std::span<double> own) { return add_tractions(traction, net, material, own, load.body); });
   if (table.has("body_force"))

@@ -75,7 +75,7 @@ std::vector<double> volumes_of_cells(const Net& net, const MaterialField& materi
 
 }  // namespace
 
-std::string add_forces(const Options& table, const Net& net, std::span<double> forces, BodyLoad& body) {
+std::string add_forces(const Options& table, const Net& net, std::span<double> forces) {
   const std::vector<std::size_t> nodes = select_nodes(table, net);
   const std::string key = one_of(table, {"force", "total"});
   const std::vector<double> force = table.numbers(key);
@@ -83,7 +83,6 @@ std::string add_forces(const Options& table, const Net& net, std::span<double> f
   for (const std::size_t node : nodes)
     for (std::size_t axis = 0; axis < net.dimension; ++axis)
       forces[net.freedoms().at(node, axis)] += share * force[axis];
-  body.forces_on_nodes = true;
   return fmt::format("force on {}: {}", describe_selection(table), counted(nodes.size(), "node"));
 }
 

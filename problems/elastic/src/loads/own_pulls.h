@@ -18,7 +18,8 @@
 
 namespace nodal::elastic {
 
-std::string add_forces(const Options& table, const Net& net, std::span<double> forces, BodyLoad& body);
+/// A continuum sees nothing of these.
+std::string add_forces(const Options& table, const Net& net, std::span<double> forces);
 
 /// At each piece of an outline whose ends are selected, with the thickness that the body has along it
 /// (border_thickness.h).

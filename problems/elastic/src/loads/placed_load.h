@@ -45,7 +45,7 @@ struct BodyLoad {
   std::vector<BorderHold> holds;
   std::vector<Support> points;   ///< of nodes that no held piece holds along that axis, ascending
   Vector body_force{};           ///< everywhere in the body, N/m³
-  bool forces_on_nodes = false;  ///< some pull at points, which no continuum bears
+  bool forces_on_nodes = false;  ///< some pull at points that are free to move, which no continuum bears
 };
 
 struct PlacedLoad {

@@ -267,7 +267,8 @@ void read_held_out(const Options& problem, bool keeps_shape, References& referen
   if (!scene.has_reference)
     throw InputError(option.source,
                      "nothing can be held out of a study in which nothing is fitted, for want of a reference; give "
-                     "reference = { file = \"displacements.csv\" }, or leave 'held_out' out");
+                     "reference = { file = \"displacements.csv\" }, or leave 'held_out' out; " +
+                         scene.fit_refusal);
   hold_out_named(names, loads, references, scene, option.source, account);
   if (references.choice().method != ReferenceChoice::Method::file) references.tell();
   require_fit(problem, keeps_shape, option, scene, account);

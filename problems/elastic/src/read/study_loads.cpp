@@ -147,6 +147,21 @@ void leave_without_reference(std::vector<PlacedLoad> placed, const std::vector<S
   scene.loads = only_solved(std::move(placed), sources, scene.net);
 }
 
+// Why finite elements have no answer to some, each reason once; empty where they may have one to all.
+std::string why_no_answer(const std::vector<PlacedLoad>& loads, const References& references) {
+  std::vector<std::string> reasons, without, with;
+  for (const PlacedLoad& load : loads) {
+    const std::string why = references.no_answer_for(load);
+    (why.empty() ? with : without).push_back(fmt::format("'{}'", load.name));
+    if (!why.empty() && std::ranges::count(reasons, why) == 0) reasons.push_back(why);
+  }
+  std::string all = fmt::format("{}", fmt::join(reasons, "; "));
+  if (!without.empty() && !with.empty())
+    all += fmt::format("; {} may have one: without {} the study could be fitted", fmt::join(with, ", "),
+                       fmt::join(without, ", "));
+  return all;
+}
+
 Found read_own_loads(const Options& problem, const ProblemContext& context, References& references, Scene& scene,
                      Account& account) {
   using Method = ReferenceChoice::Method;
@@ -167,7 +182,7 @@ Found read_own_loads(const Options& problem, const ProblemContext& context, Refe
                      "for the basic loads only; take \"finite-elements\", or leave 'method' out");
   std::string why = choice.method == Method::none
                         ? "method = \"none\" compares with nothing; leave it out to have them asked"
-                        : references.no_answer_for(placed);
+                        : why_no_answer(placed, references);
   if (why.empty()) try {
       scene.loads = references.of(placed);
     } catch (const Refusal& refusal) {

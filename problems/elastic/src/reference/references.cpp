@@ -81,12 +81,6 @@ LoadSet References::of(std::vector<PlacedLoad> loads) {
   return finish(std::move(answered));
 }
 
-std::string References::no_answer_for(const std::vector<PlacedLoad>& loads) const {
-  for (const PlacedLoad& load : loads)
-    if (std::string why = why_no_finite_elements(load, net_); !why.empty()) return why;
-  return {};
-}
-
 FiniteElementAnswer References::answer_kept_or_made(const std::vector<const PlacedLoad*>& loads) const {
   const std::string origin = origin_of_answer(net_, material_, loads, choice_.tolerance);
   std::optional<FiniteElementAnswer> answer;

@@ -46,8 +46,8 @@ class References {
   [[nodiscard]] LoadSet of(const std::vector<LoadSpec>& specs);
   /// Loads that a study describes, by finite elements. Refusal where these have no answer.
   [[nodiscard]] LoadSet of(std::vector<PlacedLoad> loads);
-  /// Why they have none, as far as can be told before it is tried; empty when they may.
-  [[nodiscard]] std::string no_answer_for(const std::vector<PlacedLoad>& loads) const;
+  /// Why one of them has none, as far as can be told before it is tried; empty when it may.
+  [[nodiscard]] std::string no_answer_for(const PlacedLoad& load) const { return why_no_finite_elements(load, net_); }
 
   /// What was taken so far, and why the others weren't.
   void tell(std::string_view no_closed_form = "finite elements were chosen",

@@ -162,5 +162,42 @@ TEST_F(OwnLoads, AreRefusedABodyForceWhereThereIsNoBody) {
             std::string::npos);
 }
 
+// ── forces on points, to which a continuum has no answer
+
+std::string with_loads(const std::string& loads) {
+  return "[[problem.loads.cases]]\nname = \"c\"\nsupports = [{ edge = \"left\" }]\ntractions = [{ edge = \"right\", "
+         "traction = [1, 0] }]\n" +
+         loads;
+}
+
+TEST_F(OwnLoads, WhosePointForcesAreNothingOrBorneBySupportsHaveAnAnswer) {
+  if (!triangulation_available()) GTEST_SKIP() << "finite elements need meshes";
+  const std::vector<double> reference = read(with_loads(""))->scene().loads.loads.at(0).reference;
+  for (const char* forces : {"forces = [{ near = [4, 4], force = [0, 0] }]\n",
+                             "forces = [{ near = [0, 4], force = [1, 2] "
+                             "}]\n",
+                             "forces = [{ near = [4, 4], force = [1, 0] }, { near = [4, 4], total = [-1, 0] }]\n"}) {
+    const auto problem = read(with_loads(forces));
+    EXPECT_EQ(problem->fit_refusal(), "") << forces;
+    EXPECT_EQ(problem->scene().loads.loads.at(0).reference, reference) << forces;
+  }
+}
+
+TEST_F(OwnLoads, WithoutAnAnswerAreNamedByTheRefusalToFit) {
+  if (!triangulation_available()) GTEST_SKIP() << "finite elements need meshes";
+  const std::string loads = with_loads(
+      "[[problem.loads.cases]]\nname = \"d\"\nsupports = [{ edge = \"left\" }]\nforces = [{ near = [4, 4], force = [0, "
+      "1] "
+      "}]\n[[problem.loads.cases]]\nname = \"e\"\nsupports = [{ edge = \"left\" }]\nforces = [{ near = [4, 0], force = "
+      "[0, "
+      "1] }]\n");
+  const std::string why = read(loads)->fit_refusal();
+  for (const char* part : {"load 'd' has forces on nodes", "load 'e' has forces on nodes",
+                           "'c' may have one: without 'd', 'e' the study could be fitted"})
+    EXPECT_NE(why.find(part), std::string::npos) << part << "\n" << why;
+  const std::string held_out = refusal("loads.held_out = [\"d\"]\n" + loads);
+  EXPECT_NE(held_out.find("load 'd' has forces on nodes"), std::string::npos) << held_out;
+}
+
 }  // namespace
 }  // namespace nodal::elastic
