@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include <nodal/agreement.h>
+#include <nodal/statistics/order.h>
 
 #include "known_quality.h"
 
@@ -19,23 +20,13 @@ namespace {
 constexpr double kNever = std::numeric_limits<double>::infinity();
 constexpr std::array<Axis, 3> kAxes = {Axis::seconds, Axis::evaluations, Axis::work};
 
-// Hyndman & Fan type 7 on sorted values, some of which may be infinite.
-double quantile(const std::vector<double>& sorted, double p) {
-  const double place = p * static_cast<double>(sorted.size() - 1);
-  const auto below = static_cast<std::size_t>(place);
-  const double part = place - static_cast<double>(below);
-  if (part == 0.0 || below + 1 == sorted.size()) return sorted[below];
-  if (sorted[below + 1] == kNever) return sorted[below] == kNever || part > 0.0 ? kNever : sorted[below];
-  return sorted[below] + part * (sorted[below + 1] - sorted[below]);
-}
-
 // The median of values among which an empty one is "never"; empty when the median is never.
 std::optional<double> median_or_never(const std::vector<std::optional<double>>& values) {
   if (values.empty()) return std::nullopt;
   std::vector<double> sorted;
   for (const std::optional<double>& v : values) sorted.push_back(v.value_or(kNever));
   std::ranges::sort(sorted);
-  const double median = quantile(sorted, 0.5);
+  const double median = statistics::quantile_of_sorted(sorted, 0.5);
   return median == kNever ? std::nullopt : std::optional(median);
 }
 
@@ -246,7 +237,8 @@ std::string_view to_string(Axis axis) noexcept {
 std::optional<Quartiles> quartiles(std::vector<double> values) {
   if (values.empty()) return std::nullopt;
   std::ranges::sort(values);
-  return Quartiles{quantile(values, 0.25), quantile(values, 0.5), quantile(values, 0.75)};
+  using statistics::quantile_of_sorted;
+  return Quartiles{quantile_of_sorted(values, 0.25), quantile_of_sorted(values, 0.5), quantile_of_sorted(values, 0.75)};
 }
 
 const TargetRow& OptimizerRow::target(double gap) const {

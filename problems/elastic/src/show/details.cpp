@@ -58,8 +58,7 @@ std::optional<ElementDetails> elements_of(const Value& run) {
   elements.meshes = number_of(run, "meshes", kLargestCount).value_or(0.0);
   elements.cells = number_of(run, "cells", kLargestCount).value_or(0.0);
   elements.unknowns = number_of(run, "unknowns", kLargestCount).value_or(0.0);
-  const Value* converged = run.find("converged");
-  elements.converged = !converged || !converged->is_boolean() || converged->boolean();
+  elements.converged = run.flag_or("converged", true);
   return elements;
 }
 

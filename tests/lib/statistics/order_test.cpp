@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include <nodal/statistics/order.h>
+
+namespace nodal::statistics {
+namespace {
+
+constexpr double kNever = std::numeric_limits<double>::infinity();
+const double kNan = std::numeric_limits<double>::quiet_NaN();
+
+TEST(Order, QuantilesLieBetweenOrderStatistics) {
+  EXPECT_EQ(quantile({3.0, 1.0, 2.0}, 0.5), 2.0);
+  EXPECT_EQ(quantile({4.0, 1.0, 2.0, 3.0}, 0.25), 1.75);
+  EXPECT_EQ(quantile({5.0}, 0.9), 5.0);
+  EXPECT_EQ(quantile({1.0, 2.0}, 0.0), 1.0);
+  EXPECT_EQ(quantile({1.0, 2.0}, 1.0), 2.0);
+}
+
+TEST(Order, WhatNeverHappenedIsTheLargest) {
+  EXPECT_EQ(quantile({kNever, 1.0, 2.0}, 0.5), 2.0);
+  EXPECT_EQ(quantile({kNever, 1.0}, 0.5), kNever);
+  EXPECT_EQ(quantile({kNever, kNever}, 0.5), kNever);
+  EXPECT_EQ(quantile({kNever, 1.0}, 0.0), 1.0);
+}
+
+TEST(Order, TiesShareTheirRanks) {
+  EXPECT_EQ(mid_ranks(std::vector{10.0, 30.0, 10.0, 20.0, 10.0}), (std::vector{2.0, 5.0, 2.0, 4.0, 2.0}));
+  EXPECT_EQ(mid_ranks(std::vector{kNever, 1.0, kNever}), (std::vector{2.5, 1.0, 2.5}));
+  EXPECT_EQ(tie_term(std::vector{1.0, 1.0, 1.0, 2.0, 2.0, 3.0}), 24.0 + 6.0);
+  EXPECT_EQ(tie_term(std::vector<double>{}), 0.0);
+}
+
+TEST(Order, HasNoPlaceForNan) {
+  EXPECT_THROW((void)quantile({1.0, kNan}, 0.5), std::invalid_argument);
+  EXPECT_THROW((void)mid_ranks(std::vector{kNan}), std::invalid_argument);
+  EXPECT_THROW((void)quantile({}, 0.5), std::invalid_argument);
+  EXPECT_THROW((void)quantile({1.0}, 1.5), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace nodal::statistics
