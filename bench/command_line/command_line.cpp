@@ -53,8 +53,13 @@ CLI::App& add_command(CLI::App& app, const char* name, const char* help, int (*r
   return *command;
 }
 
-void add_study_path(CLI::App& command, std::string& path) {
+void add_study(CLI::App& command, std::string& path, StudyOverrides& overrides) {
   command.add_option("study", path, "The study, a TOML file")->required()->type_name("STUDY");
+  command
+      .add_option("--set", overrides.set,
+                  "Any key of the study, as problem.material.poisson=0.2; problem[LABEL].… means one entry of several")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
 }
 
 void add_problem_label(CLI::App& command, std::string& label) {
@@ -94,7 +99,7 @@ void add_compare(CLI::App& app, const Registry& registry, int& exit) {
   CLI::App& command =
       add_command(app, "compare", "Run what the store lacks of a study, print the table, write the report",
                   compare_command, registry, exit, to);
-  add_study_path(command, to->study);
+  add_study(command, to->study, to->overrides);
   command.add_option("--out", to->out, "Where results are stored (default: results/<name of the study>)")
       ->type_name("DIR");
   command
@@ -103,6 +108,9 @@ void add_compare(CLI::App& app, const Registry& registry, int& exit) {
           "Only the optimizers with these labels, or with a 'use' that one entry has, separated by commas; may be "
           "repeated")
       ->type_name("LABEL,…");
+  command.add_option("--problem", to->overrides.only_problems, "Only the problem with this label; may be repeated")
+      ->type_name("LABEL")
+      ->allow_extra_args(false);
   add_rerun(command, *to);
   add_repeats(command, to->overrides);
   add_budget(command, to->overrides);
@@ -114,7 +122,7 @@ void add_evaluate(CLI::App& app, const Registry& registry, int& exit) {
   CLI::App& command =
       add_command(app, "evaluate", "Error, error per load, bearing forces at the start or at given stiffnesses",
                   evaluate_command, registry, exit, to);
-  add_study_path(command, to->study);
+  add_study(command, to->study, to->overrides);
   add_problem_label(command, to->problem);
   command
       .add_option("--stiffness,--values", to->values, "A stiffness file instead of the start; bounds don't apply to it")
@@ -128,7 +136,7 @@ void add_fit(CLI::App& app, const Registry& registry, int& exit) {
   CLI::App& command =
       add_command(app, "fit", "One run, by default with the method that suits the problem; writes the fitted system",
                   fit_command, registry, exit, to);
-  add_study_path(command, to->study);
+  add_study(command, to->study, to->overrides);
   add_problem_label(command, to->problem);
   command
       .add_option(
@@ -168,7 +176,7 @@ void add_explain(CLI::App& app, const Registry& registry, int& exit) {
   CLI::App& command =
       add_command(app, "explain", "What a study uses and leaves out, sizes, start, limits, its trials; runs nothing",
                   explain_command, registry, exit, to);
-  add_study_path(command, to->study);
+  add_study(command, to->study, to->overrides);
   command.add_flag("--trials", to->trials, "Every trial with its key");
   add_repeats(command, to->overrides);
   add_budget(command, to->overrides);

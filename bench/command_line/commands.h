@@ -23,6 +23,7 @@ struct CompareArguments {
 struct EvaluateArguments {
   std::string study, problem, values, picture;  ///< `values`: a file of them, instead of the start's
   bool json = false;
+  StudyOverrides overrides;
 };
 
 struct FitArguments {

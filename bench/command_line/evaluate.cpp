@@ -35,7 +35,7 @@ void write_picture(const EvaluateArguments& arguments, const ShownSystem& system
 }  // namespace
 
 int evaluate_command(const EvaluateArguments& arguments, const Registry& registry) {
-  const Study study = read_study_or_draw(arguments.study, registry, {}, arguments.picture);
+  const Study study = read_study_or_draw(arguments.study, registry, arguments.overrides, arguments.picture);
   const StudyProblem& entry = study.problems[find_problem(study, arguments.problem)];
   const std::shared_ptr<const Exhibit> exhibit = exhibit_of(*entry.problem);
   if (!arguments.picture.empty()) refuse_picture_of("--picture", arguments.picture, entry.label, *exhibit);

@@ -19,6 +19,13 @@ namespace {
 
 std::string utc_now() { return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr))); }
 
+template <class Items, class Part>
+Value list_of(const Items& items, Part part) {
+  Value::List list;
+  for (const auto& item : items) list.push_back(part(item));
+  return Value(std::move(list));
+}
+
 Value study_part(const Study& study) {
   Value part;
   part.set("name", study.name);
@@ -29,6 +36,15 @@ Value study_part(const Study& study) {
   part.set("seed", Value(study.seed));
   part.set("repeats", study.repeats);
   part.set("text", study.text);
+  if (!study.included.empty())
+    part.set("included", list_of(study.included, [](const IncludedFile& file) {
+               Value one;
+               one.set("file", file.path.string());
+               one.set("text", file.text);
+               return one;
+             }));
+  if (!study.settings.empty())
+    part.set("settings", list_of(study.settings, [](const std::string& setting) { return Value(setting); }));
   return part;
 }
 
@@ -66,16 +82,10 @@ Value left_out_part(const LeftOut& left_out) {
   return part;
 }
 
-template <class Items, class Part>
-Value list_of(const Items& items, Part part) {
-  Value::List list;
-  for (const auto& item : items) list.push_back(part(item));
-  return Value(std::move(list));
-}
-
 // Of the whole study, whatever a command leaves out this time: a report shows all that is stored of it.
 Value keys_part(Study study) {
   for (StudyOptimizer& optimizer : study.optimizers) optimizer.skipped = false;
+  for (StudyProblem& problem : study.problems) problem.skipped = false;
   return list_of(all_trials(study), [&](const Trial& trial) { return Value(trial_key(study, trial)); });
 }
 

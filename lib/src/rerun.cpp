@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "optimizer_choice.h"
+#include "study/optimizer_choice.h"
 
 namespace nodal {
 

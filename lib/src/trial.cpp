@@ -198,6 +198,7 @@ class Run {
 std::vector<Trial> all_trials(const Study& study) {
   std::vector<Trial> trials;
   for (std::size_t problem = 0; problem < study.problems.size(); ++problem) {
+    if (study.problems[problem].skipped) continue;
     for (int repeat = 0; repeat < study.repeats; ++repeat) {
       for (std::size_t optimizer = 0; optimizer < study.optimizers.size(); ++optimizer) {
         if (study.optimizers[optimizer].skipped) continue;

@@ -58,11 +58,22 @@ What holds for all keys:
 - Where a number is wanted, an integer will do: `1` and `1.0` are the same. Where an integer is wanted, `1.0` won't do.
 - A key that is left out takes its default. A table that is left out, or given in part, takes the defaults of its keys.
 - "none" as a default means that the key may be left out and nothing then takes its place.
+- `include = "common.toml"` at the top of a study, one name or several, takes what other files say. What the study says
+  itself wins, key by key; entries of `[[problem]]` and `[[optimizer]]` add up, while a `[problem]` on both sides is one
+  problem. Names are looked up beside the file that says them, those of outlines and tables beside the study.
+- Any value of a `[problem]`, and of an optimizer's `options`, may be a range: `poisson = { grid = [0.2, 0.3, 0.45] }`, or
+  `seed = { count = 5 }` for 1 to 5, `{ count = 5, from = 11 }` for 11 to 15. Such an entry stands for one of each
+  combination, labelled with its values: `elastic poisson=0.2`.
+- `use = "nlopt-*"` means every method of that name, with `*`, `?` and `[ab]` as in a shell, but for those with an entry
+  of their own. What the problems can't serve is left out, and said.
+- `--set problem.material.poisson=0.2` on the command line sets any key, over what the study says; `problem.` and
+  `optimizer.` mean all entries, `optimizer[LABEL].` the one of that label.
 - Inline tables (`body = { size = [4.0, 4.0] }`) and sub-tables (`[problem.body]`) are the same.
 - Relative file names are looked up beside the study.
 
 The command line can change some keys for one run: `--seed` ([study] `seed`), `--repeats` (`repeats`), `--seconds` and
-`--evaluations` ([budget]), and `--only LABEL,…` restricts a comparison to some of the optimizers, by label or by a `use` that only one entry has.
+`--evaluations` ([budget]), `--only LABEL,…` restricts a comparison to some of the optimizers, by label or by a `use` that only one entry has, and
+`--problem LABEL` to some of the problems.
 
 )";
 

@@ -397,7 +397,7 @@ TEST(Study, LeavesOutWhatThisBuildLacksAndSaysWhy) {
 
 TEST(Study, RefusesARaceInWhichEveryOptimizerIsAbsent) {
   EXPECT_EQ(refusal_after_problem("[[optimizer]]\nuse = \"nlopt-a\"\n[[optimizer]]\nuse = \"nlopt-b\"\n"),
-            "s.toml: none of the study's optimizers is in this build: needs NLopt: configure with -DNODAL_NLOPT=ON");
+            "s.toml: none of the study's optimizers can run: 'nlopt-a' needs NLopt: configure with -DNODAL_NLOPT=ON");
 }
 
 TEST(Study, RefusesToKeepOnlyWhatItLacks) {

@@ -39,6 +39,7 @@ struct StudyProblem {
   /// Of the files that it was read from (InputFiles::fingerprint): part of every trial's key, so that a changed file
   /// makes new trials. Empty when options say it all.
   std::string fingerprint = {};
+  bool skipped = false;  ///< by `only_problems`: not run, but what is stored of it stays in the report
 };
 
 struct StudyOptimizer {
@@ -58,6 +59,12 @@ struct LeftOut {
   std::string reason;
 };
 
+/// A file that a study includes, as it was read.
+struct IncludedFile {
+  std::filesystem::path path;
+  std::string text;
+};
+
 struct Study {
   std::string name;
   std::uint64_t seed = 1;
@@ -69,6 +76,8 @@ struct Study {
   std::vector<LeftOut> left_out;
   std::string text;  ///< the file as it was read
   std::filesystem::path path;
+  std::vector<IncludedFile> included = {};  ///< what it is joined with, in the order of reading
+  std::vector<std::string> settings = {};   ///< what the command line set in it: StudyOverrides::set
 };
 
 /// What a command line may change of a study.
@@ -77,7 +86,9 @@ struct StudyOverrides {
   std::optional<std::int64_t> evaluations;
   std::optional<std::uint64_t> seed;
   std::optional<int> repeats;
-  std::vector<std::string> only;  ///< labels, or a `use` that one entry has; several separated by commas
+  std::vector<std::string> only;                ///< labels, or a `use` that one entry has; several separated by commas
+  std::vector<std::string> only_problems = {};  ///< their labels
+  std::vector<std::string> set = {};  ///< "problem.material.poisson=0.2": any key, after what is included; see --set
   /// Where a study of this name keeps what takes long to make (result_cache.h); nowhere without it.
   std::function<std::filesystem::path(const std::string& study)> cache = {};
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "optimizer_choice.h"
+#include "study/optimizer_choice.h"
 
 #include <algorithm>
 #include <sstream>

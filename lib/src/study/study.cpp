@@ -13,8 +13,12 @@
 #include <nodal/toml.h>
 #include <nodal/unseen.h>
 
-#include "optimizer_choice.h"
 #include "rerun.h"
+#include "study/includes.h"
+#include "study/instances.h"
+#include "study/optimizer_choice.h"
+#include "study/patterns.h"
+#include "study/settings.h"
 
 namespace nodal {
 
@@ -34,18 +38,23 @@ class StudyReader {
  public:
   StudyReader(std::string_view text, const std::filesystem::path& path, const Registry& registry,
               const StudyOverrides& overrides)
-      : file_(path.string()), registry_(registry), overrides_(overrides), root_(parse_toml(text, file_)) {
+      : file_(path.string()), registry_(registry), overrides_(overrides) {
     study_.text = std::string(text);
     study_.path = path;
+    study_.settings = overrides.set;
+    root_ = with_includes(parse_toml(text, file_), path, study_.included);
+    apply_settings(root_, overrides.set);
   }
 
   Study read() {
     refuse_unknown_tables();
     read_study_table();
     read_budget();
-    for (const Value* entry : entries("problem", true)) read_problem(*entry);
-    for (const Value* entry : entries("optimizer", false)) read_optimizer(*entry);
+    for (const Value* entry : entries("problem", true))
+      for (const Value& one : instances(*entry, entry->text_or("kind", "problem"))) read_problem(one);
+    read_optimizers();
     keep_only();
+    keep_only_problems();
     check_needs();
     check_target();
     check_stop();
@@ -187,7 +196,18 @@ class StudyReader {
     }
   }
 
-  void read_optimizer(const Value& entry) {
+  void read_optimizers() {
+    const std::vector<const Value*> all = entries("optimizer", false);
+    for (const Value* entry : all) {
+      const bool pattern = is_pattern(entry->text_or("use", ""));
+      const std::vector<Value> meant = pattern ? methods_meant(*entry, all, registry_) : std::vector{*entry};
+      for (const Value& one : meant)
+        for (const Value& instance : instances(one, one.text_or("use", "optimizer"))) read_optimizer(instance, pattern);
+    }
+  }
+
+  // What a pattern means and no problem can serve is left out; what was asked for by name is refused, by check_needs.
+  void read_optimizer(const Value& entry, bool by_pattern) {
     const Options options = resolve_options(optimizer_entry_schema(), without_options(entry), "[[optimizer]]");
     StudyOptimizer optimizer;
     optimizer.use = options.text("use");
@@ -217,7 +237,11 @@ class StudyReader {
     if (optimizer.baseline && std::ranges::any_of(study_.optimizers, &StudyOptimizer::baseline))
       throw InputError(options.at("baseline").source,
                        fmt::format("optimizer '{}' is a second baseline; only one can be", shown(optimizer.label)));
-    study_.optimizers.push_back(std::move(optimizer));
+    const std::string refusal = by_pattern ? unfit(optimizer) : "";
+    if (refusal.empty())
+      study_.optimizers.push_back(std::move(optimizer));
+    else
+      study_.left_out.push_back({optimizer.label, optimizer.use, refusal});
   }
 
   // `options` belongs to the method, whose schema is not known yet.
@@ -274,26 +298,41 @@ class StudyReader {
       study_.left_out.clear();
     }
     if (study_.optimizers.empty() && !study_.left_out.empty())
-      throw InputError({file_, 0},
-                       fmt::format("none of the study's optimizers is in this build: {}", study_.left_out[0].reason));
+      throw InputError({file_, 0}, fmt::format("none of the study's optimizers can run: '{}' {}",
+                                               shown(study_.left_out[0].label), study_.left_out[0].reason));
+  }
+
+  void keep_only_problems() {
+    const std::vector<std::string> labels = names_of(study_.problems, &StudyProblem::label);
+    for (const std::string& label : overrides_.only_problems)
+      if (std::ranges::find(labels, label) == labels.end())
+        throw InputError(Source{"--problem", 0}, fmt::format("no problem of the study is labelled '{}'{}", shown(label),
+                                                             name_hint(label, labels)));
+    if (overrides_.only_problems.empty()) return;
+    for (StudyProblem& problem : study_.problems)
+      problem.skipped = std::ranges::find(overrides_.only_problems, problem.label) == overrides_.only_problems.end();
+  }
+
+  // Why a method can't run on some problem of the study; empty where it can on all.
+  std::string unfit(const StudyOptimizer& optimizer) const {
+    const OptimizerDescription& description = *registry_.find_optimizer(optimizer.use);
+    for (const StudyProblem& problem : study_.problems) {
+      const std::vector<std::string> missing = problem.problem->abilities().missing(description.needs);
+      if (!missing.empty())
+        return fmt::format("needs {}, which problem '{}' can't give", fmt::join(missing, " and "),
+                           shown(problem.label));
+      const std::string refusal = dense_matrix_refusal(description, *problem.problem, registry_);
+      if (!refusal.empty()) return fmt::format("on problem '{}' {}", shown(problem.label), refusal);
+    }
+    return {};
   }
 
   void check_needs() const {
     for (const StudyOptimizer& optimizer : study_.optimizers) {
       if (optimizer.skipped) continue;
-      const OptimizerDescription& description = *registry_.find_optimizer(optimizer.use);
       const auto labelled = std::ranges::find(optimizer_labels_, optimizer.label, &Labels::value_type::first);
-      for (const StudyProblem& problem : study_.problems) {
-        const std::vector<std::string> missing = problem.problem->abilities().missing(description.needs);
-        if (!missing.empty())
-          throw InputError(labelled->second,
-                           fmt::format("optimizer '{}' needs {}, which problem '{}' can't give", shown(optimizer.label),
-                                       fmt::join(missing, " and "), shown(problem.label)));
-        const std::string refusal = dense_matrix_refusal(description, *problem.problem, registry_);
-        if (!refusal.empty())
-          throw InputError(labelled->second, fmt::format("optimizer '{}' on problem '{}' {}", shown(optimizer.label),
-                                                         shown(problem.label), refusal));
-      }
+      if (const std::string refusal = unfit(optimizer); !refusal.empty())
+        throw InputError(labelled->second, fmt::format("optimizer '{}' {}", shown(optimizer.label), refusal));
     }
   }
 
