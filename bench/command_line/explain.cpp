@@ -24,7 +24,8 @@ std::string unseen_text(const Problem& problem, Evaluator& evaluator) {
 
 void explain_problem(const StudyProblem& entry) {
   const Problem& problem = *entry.problem;
-  std::cout << fmt::format("problem '{}' ({}): {} coordinates\n", entry.label, entry.kind, problem.space().size());
+  std::cout << fmt::format("problem '{}' ({}): {} coordinate{}\n", entry.label, entry.kind, problem.space().size(),
+                           problem.space().size() == 1 ? "" : "s");
   const std::vector<std::string> abilities = problem.abilities().names();
   std::cout << fmt::format("  gives: values{}{}\n", abilities.empty() ? "" : ", ", fmt::join(abilities, ", "));
   for (const Stage& stage : problem.stages())

@@ -141,8 +141,8 @@ void say(const std::vector<std::string>& notes) {
 
 // Which method, for how long, and what is odd about the problem.
 void say_plan(const StudyProblem& entry, const FitMethod& method, const std::string& budget, const Exhibit& exhibit) {
-  std::cerr << fmt::format("{} ({} coordinates) with {}: {}; {}\n", entry.label, entry.problem->space().size(),
-                           method.optimizer.label, method.why, budget);
+  std::cerr << fmt::format("{} ({} coordinate{}) with {}: {}; {}\n", entry.label, entry.problem->space().size(),
+                           entry.problem->space().size() == 1 ? "" : "s", method.optimizer.label, method.why, budget);
   say(exhibit.notes());
 }
 

@@ -26,8 +26,9 @@ class PlainSystem final : public ShownSystem {
   }
 
   [[nodiscard]] std::string text() const override {
-    return fmt::format("{}: {} coordinates\nat the start: quality {:.10g}, cost {:.10g}\n", label_,
-                       problem_.space().size(), problem_.quality(seen_.cost), seen_.cost);
+    return fmt::format("{}: {} coordinate{}\nat the start: quality {:.10g}, cost {:.10g}\n", label_,
+                       problem_.space().size(), problem_.space().size() == 1 ? "" : "s", problem_.quality(seen_.cost),
+                       seen_.cost);
   }
 
  private:

@@ -129,7 +129,7 @@ std::vector<Stage> AnalyticProblem::stages() const {
   const bool residuals = function_.has_residuals();
   const std::string why_not = "the function is no sum of squares";
   return {
-      {"value", true, fmt::format("{}, {} coordinates", function_.kind, space_.size())},
+      {"value", true, fmt::format("{}, {} coordinate{}", function_.kind, space_.size(), space_.size() == 1 ? "" : "s")},
       {"gradient", true, "closed form"},
       {"residuals and Jacobian", residuals, residuals ? fmt::format("{} residuals", residual_count()) : why_not},
       {"Jacobian products", residuals, residuals ? "from the Jacobian's nonzeros" : why_not},

@@ -220,7 +220,7 @@ TEST(FitOwnSystem, EndsOffItsBoundsAndNamesWhatIsArbitrary) {
   EXPECT_EQ(output.exit, 0) << output.err;
   EXPECT_TRUE(contains(output.err, "; no coordinate at a bound\n")) << output.err;
   const std::string note =
-      "note: 2 measured displacements can't determine 5 stiffnesses: 3 are arbitrary, (1, 2), (2, 4), (2, 3)";
+      "note: 2 known displacements can't determine 5 stiffnesses: 3 are arbitrary, (1, 2), (2, 4), (2, 3)";
   EXPECT_TRUE(contains(output.err, note)) << output.err;
   const Value springs = parse_json(read_file(folder.path() / "f.json"), "f.json").at("springs");
   EXPECT_NEAR(springs.list()[1].at("stiffness").number(), 21333.33587398359, 1e-6);
@@ -237,7 +237,7 @@ TEST(FitOwnSystem, IsSaidToBeOpenBelowATable) {
   folder.write("race.toml", read_file(folder.path() / "king.toml") +
                                 "[study]\nname = \"race\"\nrepeats = 1\n[budget]\nevaluations = 50\n"
                                 "[[optimizer]]\nuse = \"annealing\"\n");
-  const std::string note = "\nAt the start: 2 measured displacements can't determine 5 stiffnesses: 3 are arbitrary";
+  const std::string note = "\nAt the start: 2 known displacements can't determine 5 stiffnesses: 3 are arbitrary";
   const Output race = run(folder, {"compare", "race.toml"});
   EXPECT_EQ(race.exit, 0) << race.err;
   EXPECT_TRUE(contains(race.out, note)) << race.out;

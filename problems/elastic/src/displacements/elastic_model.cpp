@@ -19,14 +19,15 @@ double unit_of(const LoadSet& loads) {
   return std::isnormal(largest) ? std::ldexp(1.0, std::ilogb(largest)) : 1.0;
 }
 
-// Σ w u² over all loads, wherever it counts [m²].
-double squared_uncertainty(const Scene& scene) {
+// Σ w u² over all loads, wherever it counts [unit²]: a unit that is a power of two costs no bit.
+double squared_uncertainty(const Scene& scene, double unit) {
   const Freedoms freedoms = scene.net.freedoms();
   double squared = 0.0;
   for (const LoadCase& load : scene.loads.loads)
-    for (std::size_t f = 0; f < load.uncertainty.size(); ++f)
-      squared += scene.weight_of(freedoms.node_of(f)) * scene.loads.groups[load.group].weight(f) * load.uncertainty[f] *
-                 load.uncertainty[f];
+    for (std::size_t f = 0; f < load.uncertainty.size(); ++f) {
+      const double off = load.uncertainty[f] / unit;
+      squared += scene.weight_of(freedoms.node_of(f)) * scene.loads.groups[load.group].weight(f) * off * off;
+    }
   return squared;
 }
 
@@ -67,7 +68,7 @@ ElasticModel::ElasticModel(Scene scene_of_problem)
   if (!std::isfinite(squared)) throw InputError("the reference displacement is not finite; check stress and young");
   reference_norm = std::sqrt(squared);
   inverse_reference_squared = 1.0 / squared;
-  reference_error = std::sqrt(squared_uncertainty(scene)) / (reference_norm * displacement_unit);
+  reference_error = std::sqrt(squared_uncertainty(scene, displacement_unit)) / reference_norm;
 }
 
 double ElasticModel::cost_error(double cost, double error_squared) const noexcept {

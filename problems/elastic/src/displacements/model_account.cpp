@@ -23,8 +23,9 @@ std::string pricing_of(const MovesOptions& moves, bool one_to_one) {
 
 void tell_of(const ElasticModel& model, Account& account) {
   const Scene& scene = model.scene;
-  account.used("parameters", fmt::format("{}: {} coordinates (ln k) for {} springs", scene.parameter_rule.name,
-                                         model.parameters.size(), model.parameters.springs()));
+  account.used("parameters", fmt::format("{}: {} coordinate{} (ln k) for {} springs", scene.parameter_rule.name,
+                                         model.parameters.size(), model.parameters.size() == 1 ? "" : "s",
+                                         model.parameters.springs()));
   const bool lanes = values_by_lanes(model);
   if (lanes)
     account.used("lanes",

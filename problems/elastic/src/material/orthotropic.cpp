@@ -106,10 +106,19 @@ Compliance in_plane_strain(const Compliance& compliance) {
   return plane;
 }
 
+// Beyond that the softer axis leaves no digit of what the stiffer one does.
+constexpr int kMostDecades = 15;
+
 // By the eigenvalues of S_ab √(E_a E_b): those of an isotropic material are 1 + ν and 1 − 2ν, in plane stress 1 ± ν.
 std::string flaw_of(const Orthotropic& m, std::size_t axes) {
   for (std::size_t k = 0; k < (axes == 2 ? 1u : 3u); ++k) {
     const auto [a, b] = kPairs[k];
+    if (!(std::abs(std::log10(m.young[a]) - std::log10(m.young[b])) <= kMostDecades))
+      return fmt::format(
+          "E_{} = {} and E_{} = {} are more than {} powers of ten apart, and nothing can be computed in double "
+          "precision "
+          "with both",
+          kAxisNames[a], m.young[a], kAxisNames[b], m.young[b], kMostDecades);
     const double largest = std::sqrt(m.young[a] / m.young[b]);
     if (!(std::abs(m.poisson[k]) < largest))
       return fmt::format(

@@ -63,6 +63,15 @@ plane::Ring ring_around(const HalfPlane& half, const Extent& box) {
   return {right, along(right, n, depth), along(left, n, depth), left};
 }
 
+// What is far outside of a box decides nothing in it, but costs digits.
+Extent near(Extent upright, const Extent& box) {
+  const double far = 2.0 * box.size();
+  for (std::size_t axis = 0; axis < 2; ++axis)
+    for (double* end : {&upright.low[axis], &upright.high[axis]})
+      *end = std::clamp(*end, box.low[axis] - far, box.high[axis] + far);
+  return upright;
+}
+
 void add_sides(const plane::Ring& ring, const Extent& box, std::vector<Segment>& sides) {
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const plane::Point &p = ring[i], &q = ring[(i + 1) % ring.size()];
@@ -74,7 +83,7 @@ void add_sides(const plane::Ring& ring, const Extent& box, std::vector<Segment>&
 
 std::vector<plane::Ring> rings_around(const RegionShape& shape, const Extent& box) {
   if (const auto* half = std::get_if<HalfPlane>(&shape)) return {ring_around(*half, box)};
-  if (const auto* upright = std::get_if<Extent>(&shape)) return {ring_of(*upright)};
+  if (const auto* upright = std::get_if<Extent>(&shape)) return {ring_of(near(*upright, box))};
   return std::get<PolygonShape>(shape).rings();
 }
 

@@ -106,7 +106,7 @@ Tied tie(const Net& net, const ParameterRule& rule) {
   if (rule.name == "each") return each_alone(net);
   if (rule.name == "uniform") return {std::vector<std::size_t>(net.springs.size(), 0), {"k"}};
   if (rule.name == "symmetric") return symmetric(net);
-  if (rule.name == "listed") return listed(net, rule.group_of_spring);
+  if (rule.name == "listed" || !rule.group_of_spring.empty()) return listed(net, rule.group_of_spring);
   if (rule.name == "by-direction") {
     if (!(rule.direction_tolerance >= 0.0 && rule.direction_tolerance <= 90.0))
       throw Refusal(fmt::format("a tolerance of {}° is no tolerance of directions; it must be from 0 to 90",

@@ -97,8 +97,8 @@ std::string what_is_open(const Determination& found) {
   const bool one = found.measured == 1, one_stiffness = found.coordinates == 1;
   const std::string stiffnesses = fmt::format("{} stiffness{}", found.coordinates, one_stiffness ? "" : "es");
   if (found.measured < found.coordinates)
-    return fmt::format("{} measured displacement{} can't determine {}", found.measured, one ? "" : "s", stiffnesses);
-  return fmt::format("the {} measured displacement{} {} determine {}{}", found.measured, one ? "" : "s",
+    return fmt::format("{} known displacement{} can't determine {}", found.measured, one ? "" : "s", stiffnesses);
+  return fmt::format("the {} known displacement{} {} determine {}{}", found.measured, one ? "" : "s",
                      one ? "doesn't" : "don't", one_stiffness ? "the " : "all ", stiffnesses);
 }
 

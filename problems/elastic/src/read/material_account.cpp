@@ -39,6 +39,12 @@ std::string region_text(const Region& region, const Material& base, std::size_t 
   return text;
 }
 
+// ν, and where the plane changes it what a net in the plane is asked to show.
+std::string ratio_text(const Material& material, double in_the_body) {
+  if (material.poisson == in_the_body) return fmt::format("{:.4g}", in_the_body);
+  return fmt::format("ν = {:.4g}, which is ν/(1 − ν) = {:.4g} in plane strain", material.poisson, in_the_body);
+}
+
 }  // namespace
 
 void tell_of_material(const MaterialField& material, const Body& body, Account& account) {
@@ -75,10 +81,10 @@ void tell_of_poisson(const MaterialField& material, std::size_t dimension, bool 
     if (std::ranges::count(told, isotropic->poisson) > 0) continue;
     told.push_back(isotropic->poisson);
     account.remark(fmt::format(
-        "springs alone make a Cauchy-elastic net: even, isotropic ones have Poisson's ratio {}, {} has {:.4g}; {}",
+        "springs alone make a Cauchy-elastic net: even, isotropic ones have Poisson's ratio {}, {} has {}; {}",
         space ? "1/4 in space" : "1/3 in the plane",
         region == kBodyRegion ? "the material" : fmt::format("region '{}'", shown(material.regions[region - 1].name)),
-        isotropic->poisson,
+        ratio_text(material.material_of(region), isotropic->poisson),
         tied ? "tied springs can't make up for that, so expect a remaining error"
              : "free, uneven springs reach it at the price of a spread in stiffness and of local noise"));
   }

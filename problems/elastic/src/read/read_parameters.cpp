@@ -99,10 +99,12 @@ ParameterRule read_parameters(const Value& value, const Net& net, const Material
       if (groups.empty())
         throw InputError(value.source,
                          "parameters = \"groups\" needs springs = { file = \"springs.csv\" } with a column 'group'");
-      rule.name = "listed";
       rule.group_of_spring = groups;
     }
-    if (rule.name == "by-region") rule = region_rule(net, material);
+    if (rule.name == "by-region") {
+      rule = region_rule(net, material);
+      rule.name = "by-region";
+    }
     (void)Parameters(net, rule);
     return rule;
   };

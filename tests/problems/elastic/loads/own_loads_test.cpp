@@ -199,5 +199,19 @@ TEST_F(OwnLoads, WithoutAnAnswerAreNamedByTheRefusalToFit) {
   EXPECT_NE(held_out.find("load 'd' has forces on nodes"), std::string::npos) << held_out;
 }
 
+// The unit of displacements is 1e200 m here, and its square is no number.
+TEST_F(OwnLoads, OfAnySizeHaveAnEstimatedError) {
+  if (!triangulation_available()) GTEST_SKIP() << "finite elements need meshes";
+  const auto pulled = [&](const char* traction) {
+    return read(fmt::format(
+                    "[[problem.loads.cases]]\nname = \"c\"\nsupports = [{{ edge = \"left\" }}]\ntractions = [{{ edge "
+                    "= \"right\", traction = [{}, 0] }}]\n",
+                    traction))
+        ->reference_error();
+  };
+  ASSERT_TRUE(pulled("1e200"));
+  EXPECT_NEAR(*pulled("1e200"), *pulled("1"), 1e-3 * *pulled("1"));
+}
+
 }  // namespace
 }  // namespace nodal::elastic

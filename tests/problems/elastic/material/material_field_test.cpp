@@ -117,6 +117,18 @@ TEST(MaterialField, BordersAreCutToTheBody) {
   EXPECT_NEAR(length, 1.0, 1e-14);
 }
 
+TEST(MaterialField, BordersOfBoxesWithoutEndHaveAllTheirDigits) {
+  for (const double far : {1e12, 1e16, 1e300}) {
+    MaterialField field;
+    field.regions = {{"left", Extent{{-far, -far, 0.0}, {2.0 / 3.0, far, 0.0}}, {}}};
+    const auto sides = borders(field, {{0.0, 0.0, 0.0}, {4.0, 0.1, 0.0}});
+    ASSERT_EQ(sides.size(), 1u) << far;
+    for (const plane::Point& end : sides[0]) EXPECT_EQ(end[0], 2.0 / 3.0);
+    EXPECT_NEAR(std::min(sides[0][0][1], sides[0][1][1]), 0.0, 1e-14) << far;
+    EXPECT_NEAR(std::max(sides[0][0][1], sides[0][1][1]), 0.1, 1e-14) << far;
+  }
+}
+
 TEST(MaterialField, PlanesOfBoxesAreThoseInsideTheBody) {
   MaterialField field;
   field.tolerance = 1e-9;

@@ -231,5 +231,15 @@ TEST(Orthotropic, NearlyIncompressibleIsRefusedWhereAnIsotropicMaterialIs) {
   EXPECT_TRUE((Material{1.0, 0.49991, Plane::stress}.flaw(2).empty()));
 }
 
+TEST(Orthotropic, ModuliTooFarApartAreRefusedByTheirNames) {
+  Orthotropic m;
+  m.young = {1e-300, 1e300, 1.0};
+  EXPECT_EQ(flaw_of(m, 2),
+            "E_x = 1e-300 and E_y = 1e+300 are more than 15 powers of ten apart, and nothing can be computed in double "
+            "precision with both");
+  m.young = {1e-7, 1e7, 1.0};
+  EXPECT_EQ(flaw_of(m, 2), "");
+}
+
 }  // namespace
 }  // namespace nodal::elastic

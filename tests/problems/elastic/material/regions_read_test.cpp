@@ -256,6 +256,31 @@ TEST_F(Regions, HaveARemarkForEachPoissonsRatioThatSpringsDontHave) {
 }
 
 // Whatever a study says of regions, it is refused with its place, or all of the body is of some material.
+TEST_F(Regions, AreToldByTheirOwnPoissonsRatioInPlaneStrain) {
+  const std::vector<std::string> remarks =
+      read(
+          "body = { size = [4, 2] }\npoints = { counts = [5, 3] }\nloads = { supports = \"minimal\" }\nmaterial = { "
+          "poisson = 0.4, plane = \"strain\" }\n")
+          ->account()
+          .remarks();
+  EXPECT_EQ(std::ranges::count_if(remarks,
+                                  [](const std::string& line) {
+                                    return line.find(
+                                               "the material has ν = 0.4, which is ν/(1 − ν) = 0.6667 in plane "
+                                               "strain") != std::string::npos;
+                                  }),
+            1);
+}
+
+TEST_F(Regions, TieSpringsUnderTheRulesOwnName) {
+  const auto problem = plate("{ regions = [{ box = [0, 0, 2, 2], young = 2 }] }",
+                             "springs = { topology = \"crossed\", parameters = \"by-region\" }\n");
+  const auto stages = problem->stages();
+  const auto told = std::ranges::find(stages, "parameters", &Stage::name);
+  ASSERT_NE(told, stages.end());
+  EXPECT_TRUE(told->detail.starts_with("by-region: 2 coordinates (ln k)")) << told->detail;
+}
+
 TEST_F(Regions, OfAnyShapesMakeABodyOrAreRefused) {
   RandomStream random(7);
   const auto place = [&] {

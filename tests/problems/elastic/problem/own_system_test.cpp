@@ -175,7 +175,7 @@ TEST_F(OwnSystem, SpringsWithoutForceAreNamed) {
   EXPECT_EQ(found.undetermined, (std::vector<std::size_t>{0, 2, 3}));
   EXPECT_EQ(found.open, 3u);
   EXPECT_EQ(describe(found, *truss),
-            "2 measured displacements can't determine 5 stiffnesses: 3 are arbitrary, (1, 2), (2, 4), (2, 3): they can "
+            "2 known displacements can't determine 5 stiffnesses: 3 are arbitrary, (1, 2), (2, 4), (2, 3): they can "
             "change, alone or together, and no displacement does; measure more, add loads, or tie springs by "
             "'parameters'");
 }
@@ -190,7 +190,7 @@ TEST_F(OwnSystem, OneSpringWithoutForceIsSaidInTheSingular) {
       "\"displacements.csv\" }\n[[problem.loads.cases]]\nname = \"load\"\nsupports = [{ nodes = [1, 2] "
       "}]\nforces = [{ nodes = [3], force = [1, -2] }]\n");
   EXPECT_EQ(describe(determine(*truss, truss->start_stiffness()), *truss),
-            "2 measured displacements can't determine 3 stiffnesses: 1 is arbitrary, (1, 2): it can change, and no "
+            "2 known displacements can't determine 3 stiffnesses: 1 is arbitrary, (1, 2): it can change, and no "
             "displacement does; measure more, add loads, or tie springs by 'parameters'");
 }
 

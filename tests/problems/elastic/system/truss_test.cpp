@@ -117,7 +117,7 @@ TEST_F(Truss, LeavesOpenWhatItsDataCannotSay) {
     EXPECT_TRUE(ends != (std::set<std::int64_t>{1, 2}) && ends != (std::set<std::int64_t>{8, 9}));
   }
   EXPECT_PRED2(says, describe(found, *truss),
-               "19 measured displacements can't determine 24 stiffnesses: 22 are arbitrary");
+               "19 known displacements can't determine 24 stiffnesses: 22 are arbitrary");
 }
 
 TEST_F(Truss, BearsASettlement) {

@@ -37,7 +37,7 @@ struct Determination {
 /// std::invalid_argument for a wrong number of stiffnesses. Of a problem without a reference nothing is asked.
 [[nodiscard]] Determination determine(const ElasticProblem& problem, std::span<const double> stiffness);
 
-/// "19 measured displacements can't determine 24 stiffnesses: …", with the springs named; empty when all are
+/// "19 known displacements can't determine 24 stiffnesses: …", with the springs named; empty when all are
 /// determined.
 [[nodiscard]] std::string describe(const Determination& determination, const ElasticProblem& problem);
 
