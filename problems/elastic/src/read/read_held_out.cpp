@@ -69,15 +69,12 @@ bool hold_the_net(const Net& net, const LoadSet& set) {
                              [&](const SupportGroup& group) { return hold_a_rigid_body(structure_of(net), group); });
 }
 
-// One that isn't the study's own: at rest, with a closed form.
-LoadSet make_resting(const Value& name, const Scene& scene, double stress, References& references) {
+// One that isn't the study's own: at rest.
+LoadSpec resting_spec(const Value& name, const Scene& scene, double stress) {
   const bool border = scene.net.body.has_outline() || scene.net.body.box;
   const std::vector<LoadSpec> specs = border ? specs_of(scene, stress) : std::vector<LoadSpec>();
   const auto spec = std::ranges::find(specs, name.text(), &LoadSpec::name);
-  if (spec != specs.end())
-    return at(
-        name.source, [&] { return references.of(std::vector<LoadSpec>{*spec}); },
-        fmt::format("'{}' can't be held out", spec->name));
+  if (spec != specs.end()) return *spec;
   const std::vector<std::string> own = names_of(scene.loads);
   std::vector<std::string> resting = names_of(specs), all = own;
   std::erase_if(resting, [&](const std::string& one) { return std::ranges::count(own, one) > 0; });
@@ -88,6 +85,15 @@ LoadSet make_resting(const Value& name, const Scene& scene, double stress, Refer
                   name_hint(name.text(), all), fmt::join(own, ", "),
                   border ? fmt::format("at rest {}", fmt::join(resting, ", "))
                          : "and others need a body with an outline to pull at, as body = { size = [4, 4] } has"));
+}
+
+// All at once: finite elements answer loads under the same supports together.
+LoadSet answer_resting(const std::vector<LoadSpec>& specs, References& references, const Source& source,
+                       const char* done) {
+  if (specs.empty()) return {};
+  return at(
+      source, [&] { return references.of(specs); },
+      fmt::format("'{}' can't be {}", fmt::join(names_of(specs), "', '"), done));
 }
 
 // Loads at rest that the study names to be fitted beside those of its set.
@@ -106,21 +112,23 @@ void fit_also(const Options& problem, bool keeps_shape, References& references, 
     throw InputError(option.source, "nothing is fitted in this study, for want of a reference; leave 'also' out");
   LoadSetBuilder fitted(scene.net.freedoms()), added(scene.net.freedoms());
   for (std::size_t l = 0; l < scene.loads.loads.size(); ++l) fitted.add(scene.loads, l);
-  std::vector<std::string> names;
+  std::vector<LoadSpec> specs;
   for (const Value& name : option.list()) {
     if (std::ranges::count(scene.loads.loads, name.text(), &LoadCase::name) > 0)
       throw InputError(name.source, fmt::format("'{}' is fitted already; leave it out of 'also'", name.text()));
-    const LoadSet resting = make_resting(name, scene, stress_of(loads), references);
-    fitted.add(resting, 0);
-    added.add(resting, 0);
-    names.push_back(name.text());
+    specs.push_back(resting_spec(name, scene, stress_of(loads)));
+  }
+  const LoadSet resting = answer_resting(specs, references, option.source, "fitted as well");
+  for (std::size_t l = 0; l < resting.loads.size(); ++l) {
+    fitted.add(resting, l);
+    added.add(resting, l);
   }
   if (const LoadSet set = std::move(added).finish(); !keeps_shape || !hold_the_net(scene.net, set))
     require_rigid(scene.net, set, loads.has("cases"), option.source, account);
   scene.loads = std::move(fitted).finish();
   require_memory(scene.net.nodes.size(), scene.loads.groups.size(), available_memory(), option.source,
                  scene.net.dimension);
-  account.used(kAlso, fmt::format("{}: at rest", fmt::join(names, ", ")));
+  account.used(kAlso, fmt::format("{}: at rest", fmt::join(names_of(specs), ", ")));
   tell_of_loads(scene.loads, account);
 }
 
@@ -199,12 +207,16 @@ void hold_out_named(const std::vector<Value>& names, const Options& loads, Refer
   const std::vector<std::string> also = loads.has("also") ? texts_of(loads.at("also")) : std::vector<std::string>();
   LoadSetBuilder held(scene.net.freedoms()), fitted(scene.net.freedoms());
   std::vector<bool> taken(scene.loads.loads.size(), false);
-  std::vector<std::string> made;
+  std::vector<LoadSpec> specs;
+  for (const Value& name : names)
+    if (std::ranges::count(scene.loads.loads, name.text(), &LoadCase::name) == 0)
+      specs.push_back(resting_spec(name, scene, stress_of(loads)));
+  const LoadSet resting = answer_resting(specs, references, source, "held out");
+  std::size_t next = 0;
   for (const Value& name : names) {
     const auto own = std::ranges::find(scene.loads.loads, name.text(), &LoadCase::name);
     if (own == scene.loads.loads.end()) {
-      held.add(make_resting(name, scene, stress_of(loads), references), 0);
-      made.push_back(name.text());
+      held.add(resting, next++);
       continue;
     }
     if (std::ranges::count(also, name.text()) > 0)
@@ -218,8 +230,9 @@ void hold_out_named(const std::vector<Value>& names, const Options& loads, Refer
   const auto kept = static_cast<std::size_t>(std::ranges::count(taken, false));
   if (kept == 0) throw InputError(source, "'held_out' names all loads of the study: none is left to be fitted");
   scene.held_out = std::move(held).finish();
-  account.used(kStage, fmt::format("{}: never fitted{}", fmt::join(names_of(scene.held_out), ", "),
-                                   made.empty() ? "" : fmt::format("; at rest: {}", fmt::join(made, ", "))));
+  account.used(kStage,
+               fmt::format("{}: never fitted{}", fmt::join(names_of(scene.held_out), ", "),
+                           specs.empty() ? "" : fmt::format("; at rest: {}", fmt::join(names_of(specs), ", "))));
   if (kept == taken.size()) return;
   for (std::size_t l = 0; l < taken.size(); ++l)
     if (!taken[l]) fitted.add(scene.loads, l);

@@ -46,7 +46,6 @@ Value report(const FiniteElementAnswer::Summary& summary) {
 
 LoadSet References::of(const std::vector<LoadSpec>& specs) {
   std::vector<Answered> loads;
-  std::vector<std::size_t> open;  // without an answer yet
   for (const LoadSpec& spec : specs) {
     Answered& answered = loads.emplace_back(Answered{place(spec, net_)});
     const std::string why = why_no_closed_form(spec, material_, net_.dimension);
@@ -56,28 +55,19 @@ LoadSet References::of(const std::vector<LoadSpec>& specs) {
                       "'method' out",
                       spec.name, why));
     if (no_closed_form_.empty() && !why.empty()) no_closed_form_ = fmt::format("of '{}': {}", spec.name, why);
-    if (choice_.method == Method::finite_elements || !why.empty()) {
-      open.push_back(loads.size() - 1);
-      continue;
-    }
+    if (choice_.method == Method::finite_elements || !why.empty()) continue;
     answered.reference = closed_form(spec, net_, material_);
     const StressField stress{spec.stress, spec.gradient, centre_of(net_.body)};
     for (const Vector& node : net_.nodes) answered.stress.push_back(stress.at(node));
     hold_as_reference(answered.load, answered.reference, net_.freedoms());
     analytic_ = true;
   }
-  std::vector<Answered*> meshed;
-  for (const std::size_t l : open) meshed.push_back(&loads[l]);
-  answer_by_elements(meshed);
   return finish(std::move(loads));
 }
 
 LoadSet References::of(std::vector<PlacedLoad> loads) {
   std::vector<Answered> answered;
   for (PlacedLoad& load : loads) answered.push_back({std::move(load)});
-  std::vector<Answered*> meshed;
-  for (Answered& load : answered) meshed.push_back(&load);
-  answer_by_elements(meshed);
   return finish(std::move(answered));
 }
 
@@ -114,6 +104,10 @@ void References::answer_by_elements(const std::vector<Answered*>& loads) {
 }
 
 LoadSet References::finish(std::vector<Answered> loads) {
+  std::vector<Answered*> open;
+  for (Answered& load : loads)
+    if (load.reference.empty()) open.push_back(&load);
+  answer_by_elements(open);
   LoadSetBuilder set(net_.freedoms());
   for (Answered& one : loads) {
     SupportGroup group = std::move(one.load.group);

@@ -65,6 +65,7 @@ class References {
 
   void answer_by_elements(const std::vector<Answered*>& loads);
   FiniteElementAnswer answer_kept_or_made(const std::vector<const PlacedLoad*>& loads) const;
+  /// By finite elements what has no reference yet.
   LoadSet finish(std::vector<Answered> loads);
 
   ReferenceChoice choice_;
