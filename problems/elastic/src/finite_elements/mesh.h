@@ -17,8 +17,15 @@
 #include <vector>
 
 #include <nodal/elastic/vector.h>
+#include <nodal/error.h>
 
 namespace nodal::elastic::finite_elements {
+
+/// A mesh, or a factor for one, beyond what is allowed: where another one is fine.
+class TooLarge : public Refusal {
+ public:
+  using Refusal::Refusal;
+};
 
 /// A simplex's edges by its vertices; a triangle has the first three, a line the first.
 inline constexpr std::array<std::array<std::size_t, 2>, 6> kEdges = {{{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}}};

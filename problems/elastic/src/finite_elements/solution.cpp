@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <span>
 
@@ -80,11 +81,21 @@ class GroupSolver {
   double borne_by_places(const std::vector<double>& u, const std::vector<double>& forces) const {
     if (held_.at_place.empty()) return 0.0;
     const std::vector<double> inner = matrix_.times(u);
+    const double rounding = rounding_of_forces(u);
     double sum = 0.0, largest = 0.0;
     for (std::size_t f = 0; f < u.size(); ++f)
       sum += std::abs(forces[f]) + (held_.held[f] ? std::abs(inner[f] - forces[f]) : 0.0);
     for (const std::size_t f : held_.at_place) largest = std::max(largest, std::abs(inner[f] - forces[f]));
-    return sum > 0.0 ? largest / sum : 0.0;
+    return largest > rounding ? (largest - rounding) / sum : 0.0;
+  }
+
+  // What supports bear balances all forces, so the residuals of all equations add up there: each some units in the last
+  // place of the forces that meet in it, of either sign.
+  double rounding_of_forces(const std::vector<double>& u) const {
+    constexpr double kUnits = 8.0;
+    double squares = 0.0;
+    for (const double force : matrix_.magnitude_times(u)) squares += force * force;
+    return kUnits * std::numeric_limits<double>::epsilon() * std::sqrt(squares);
   }
 
   const StiffnessMatrix& matrix_;
@@ -105,8 +116,8 @@ Solution solve(const Mesh& mesh, const Problem& problem, double factor_bytes_lim
   for (const Group& group : problem.groups) {
     GroupSolver solver(mesh, matrix, order, group);
     if (solver.factor_bytes() > factor_bytes_limit)
-      throw Refusal(fmt::format("a finite-element factor of {:.3g} MB, of at most {:.3g} MB",
-                                1e-6 * solver.factor_bytes(), 1e-6 * factor_bytes_limit));
+      throw TooLarge(fmt::format("a finite-element factor of {:.3g} MB, of at most {:.3g} MB",
+                                 1e-6 * solver.factor_bytes(), 1e-6 * factor_bytes_limit));
     solution.unknowns = std::max(solution.unknowns, solver.unknowns());
     solution.factor_bytes = std::max(solution.factor_bytes, solver.factor_bytes());
     for (LoadSolution& load : solver.solve(mesh, problem, group)) solution.loads.push_back(std::move(load));

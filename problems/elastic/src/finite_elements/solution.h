@@ -20,8 +20,9 @@ namespace nodal::elastic::finite_elements {
 
 struct LoadSolution {
   std::vector<double> displacement;  ///< [nodes][dimension]
-  /// The largest force that a support at a place bears, relative to the sum of all forces |f|. It should be 0: a single
-  /// place of a continuum that bears a force is infinitely far away.
+  /// The largest force that a support at a place bears beyond what is rounding, relative to the sum of all forces |f|.
+  /// It should be 0: a single place of a continuum that bears a force is infinitely far away. Rounding is of stiffness
+  /// times displacement, which with stiff and soft regions, or where supports move the body, is far above the forces.
   double borne_by_places = 0.0;
 };
 

@@ -2,6 +2,7 @@
 #include "finite_elements/stiffness_matrix.h"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include "finite_elements/element.h"
@@ -86,7 +87,8 @@ UpperTriangle StiffnessMatrix::block(std::span<const int> unknown, std::size_t u
   return upper;
 }
 
-std::vector<double> StiffnessMatrix::times(std::span<const double> u) const {
+template <class Term>
+std::vector<double> StiffnessMatrix::product(std::span<const double> u, Term term) const {
   const std::size_t d = freedoms_.dimension;
   std::vector<double> product(freedoms_.size(), 0.0);
   for (std::size_t node = 0; node < freedoms_.nodes; ++node)
@@ -95,10 +97,18 @@ std::vector<double> StiffnessMatrix::times(std::span<const double> u) const {
         for (std::size_t b = 0; b < d; ++b) {
           const std::size_t i = freedoms_.at(node, a), j = freedoms_.at(lower_[e], b);
           const double k = blocks_[(e * d + a) * d + b];
-          product[i] += k * u[j];
-          if (lower_[e] != node) product[j] += k * u[i];
+          product[i] += term(k, u[j]);
+          if (lower_[e] != node) product[j] += term(k, u[i]);
         }
   return product;
+}
+
+std::vector<double> StiffnessMatrix::times(std::span<const double> u) const {
+  return product(u, [](double k, double x) { return k * x; });
+}
+
+std::vector<double> StiffnessMatrix::magnitude_times(std::span<const double> u) const {
+  return product(u, [](double k, double x) { return std::abs(k * x); });
 }
 
 }  // namespace nodal::elastic::finite_elements

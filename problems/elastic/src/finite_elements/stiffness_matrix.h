@@ -27,12 +27,16 @@ class StiffnessMatrix {
   [[nodiscard]] UpperTriangle block(std::span<const int> unknown, std::size_t unknowns) const;
   /// K u.
   [[nodiscard]] std::vector<double> times(std::span<const double> u) const;
+  /// |K| |u|, entry by entry: what rounding is relative to.
+  [[nodiscard]] std::vector<double> magnitude_times(std::span<const double> u) const;
 
  private:
   void find_neighbours(const Mesh& mesh);
   template <std::size_t D>
   void assemble(const Mesh& mesh, const std::vector<Region>& regions);
   [[nodiscard]] std::size_t entry(std::size_t node, std::size_t lower) const;
+  template <class Term>
+  [[nodiscard]] std::vector<double> product(std::span<const double> u, Term term) const;
 
   Freedoms freedoms_;
   std::vector<std::size_t> begins_, lower_;  // per node its neighbours up to itself, ascending

@@ -169,5 +169,31 @@ TEST(FiniteElementSolve, SaysWhatPlacesBear) {
   EXPECT_LT(solve(mesh, problem).loads[0].borne_by_places, 1e-12);
 }
 
+// Held as statics asks for, at a corner of the soft part, which lets the stiff one move far: what places bear is
+// rounding of the stiff part's forces.
+TEST(FiniteElementSolve, RoundingIsNotBorneByPlaces) {
+  const std::vector<Prescribed> corners = {{Vector{1.0, 2.0, 3.0}, 0}, {Vector{1.0, 2.0, 3.0}, 1},
+                                           {Vector{1.0, 2.0, 3.0}, 2}, {Vector{3.0, 2.0, 3.0}, 1},
+                                           {Vector{3.0, 2.0, 3.0}, 2}, {Vector{1.0, 3.0, 3.0}, 2}};
+  const Mesh mesh = block_mesh(kBlock, 0.5);
+  Problem problem = held(corners);
+  problem.regions = {{isotropic(1e10, 0.3)}, {isotropic(1.0, 0.3)}};
+  problem.groups[0].loads[0].tractions = {{1, Vector{1.0, 0.0, 0.0}}, {0, Vector{-1.0, 0.0, 0.0}}};
+  EXPECT_LT(solve(mesh, problem).loads[0].borne_by_places, 1e-6);
+  problem.groups[0].loads[0].tractions.pop_back();
+  EXPECT_GT(solve(mesh, problem).loads[0].borne_by_places, 0.1);
+}
+
+// No forces at all: what is borne and what it is compared with are rounding both.
+TEST(FiniteElementSolve, PlacesThatMoveTheBodyBearNothing) {
+  Problem problem = held({{Vector{1.0, 2.0, 3.0}, 0, 0.7},
+                          {Vector{1.0, 2.0, 3.0}, 1, 0.3},
+                          {Vector{1.0, 2.0, 3.0}, 2, 0.1},
+                          {Vector{3.0, 2.0, 3.0}, 1, 0.3},
+                          {Vector{3.0, 2.0, 3.0}, 2, 0.1},
+                          {Vector{1.0, 3.0, 3.0}, 2, 0.1}});
+  EXPECT_EQ(solve(block_mesh(kBlock, 0.5), problem).loads[0].borne_by_places, 0.0);
+}
+
 }  // namespace
 }  // namespace nodal::elastic::finite_elements
