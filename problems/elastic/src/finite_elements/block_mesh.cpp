@@ -64,8 +64,8 @@ class Builder {
     const double cells =
         6.0 * static_cast<double>(gaps(0)) * static_cast<double>(gaps(1)) * static_cast<double>(gaps(2));
     if (cells <= static_cast<double>(block_.cell_limit)) return;
-    throw Refusal(fmt::format("{} × {} × {} cells of a box make {:.3g} tetrahedra, of at most {}", gaps(0), gaps(1),
-                              gaps(2), cells, block_.cell_limit));
+    throw TooLarge(fmt::format("{} × {} × {} cells of a box make {:.3g} tetrahedra, of at most {}", gaps(0), gaps(1),
+                               gaps(2), cells, block_.cell_limit));
   }
 
   template <class Visit>

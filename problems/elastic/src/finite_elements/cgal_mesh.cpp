@@ -156,7 +156,7 @@ Triangulation triangulated(const PlaneGraph& graph) {
   for (const Face face : made.finite_face_handles())
     if (face->is_in_domain() && (smallest == Face() || area_of(face) < area_of(smallest))) smallest = face;
   const plane::Point at = centre_of(smallest);
-  throw Refusal(
+  throw TooLarge(
       fmt::format("a finite-element mesh of the body would have more than {} triangles; the smallest are at "
                   "({:.6g}, {:.6g}), where two borders or interfaces come close or meet in a sharp angle",
                   limit, at[0], at[1]));
@@ -214,6 +214,7 @@ void append_sides(const Triangulation& made, const PlaneGraph& graph, LinearMesh
 SizeField size_field(const PlaneBody& body, double spacing) {
   SizeField size(spacing, kGradingReach * size_of(body));
   for (const plane::Point& p : body.graded) size.grade(p, kGrading);
+  for (const plane::Point& p : body.crossings) size.grade(p, std::max(kGrading, 1.0 - body.crossing_exponent / 1.5));
   for (const LabelledRing& ring : body.rings) size.grade_corners(ring.points);
   return size;
 }

@@ -22,7 +22,7 @@ namespace {
 // difference.
 constexpr double kSafety = 2.5;
 constexpr double kLargestRatio = 4.0;
-constexpr double kSmallestRatio = 1.5;  // less is no convergence
+constexpr double kSmallestRatio = 1.1;  // less is no convergence
 constexpr double kAssumedRatio = 2.0;   // with two meshes alone
 constexpr double kSmear = 0.1;          // a place's difference may be small by chance
 constexpr double kRounding = 1e-10;     // of the largest displacement, whatever the differences say
@@ -62,17 +62,16 @@ class Family {
   }
 
   void solve(const Problem& problem, double factor_bytes_limit) {
-    solution_ = finite_elements::solve(mesh_, problem, factor_bytes_limit);
-    answers_.emplace_back();
-    for (const LoadSolution& load : solution_.loads) {
-      std::vector<Vector>& at = answers_.back().emplace_back();
-      for (const Location& location : locations_) at.push_back(interpolated(mesh_, location, load.displacement));
-    }
+    keep(finite_elements::solve(mesh_, problem, factor_bytes_limit));
   }
 
-  void refine() {
-    mesh_ = refined(mesh_);
+  // Nothing changes where that is refused.
+  void refine_and_solve(const Problem& problem, double factor_bytes_limit) {
+    Mesh finer = refined(mesh_);
+    Solution solution = finite_elements::solve(finer, problem, factor_bytes_limit);
+    mesh_ = std::move(finer);
     for (std::size_t i = 0; i < locations_.size(); ++i) locations_[i] = descended(mesh_, locations_[i], wanted_[i]);
+    keep(std::move(solution));
   }
 
   // What a mesh of so many times the unknowns needs: n log n in the plane, n^{4/3} in space.
@@ -102,14 +101,25 @@ class Family {
   Solution take_solution() { return std::move(solution_); }
   double outside() const { return outside_; }
 
-  std::vector<LoadResult> results() const {
+  std::vector<LoadResult> results(const ConvergeSettings& settings) const {
+    const double least = std::min(kLargestRatio, std::pow(4.0, settings.least_exponent));
     std::vector<LoadResult> loads;
-    for (std::size_t load = 0; load < solution_.loads.size(); ++load) loads.push_back(result(load));
+    for (std::size_t load = 0; load < solution_.loads.size(); ++load)
+      loads.push_back(result(load, std::max(least, kSmallestRatio)));
     return loads;
   }
 
  private:
-  LoadResult result(std::size_t load) const;
+  LoadResult result(std::size_t load, double largest_ratio) const;
+
+  void keep(Solution solution) {
+    solution_ = std::move(solution);
+    answers_.emplace_back();
+    for (const LoadSolution& load : solution_.loads) {
+      std::vector<Vector>& at = answers_.back().emplace_back();
+      for (const Location& location : locations_) at.push_back(interpolated(mesh_, location, load.displacement));
+    }
+  }
 
   Mesh mesh_;
   const std::vector<Vector>& wanted_;
@@ -119,7 +129,7 @@ class Family {
   std::vector<Displacements> answers_;  // coarsest first
 };
 
-LoadResult Family::result(std::size_t load) const {
+LoadResult Family::result(std::size_t load, double largest_ratio) const {
   const std::size_t last = answers_.size() - 1;
   LoadResult result;
   result.displacements = answers_[last][load];
@@ -127,12 +137,12 @@ LoadResult Family::result(std::size_t load) const {
   result.borne_by_places = solution_.loads[load].borne_by_places;
   std::vector<double> change = differences(answers_[last][load], answers_[last - 1][load]);
   const double most = largest_of(change);
-  result.ratio = kAssumedRatio;
+  result.ratio = std::min(kAssumedRatio, largest_ratio);
   if (last > 1) {
     const double before = largest_of(differences(answers_[last - 1][load], answers_[last - 2][load]));
-    result.ratio = std::clamp(most > 0.0 ? before / most : kLargestRatio, kSmallestRatio, kLargestRatio);
+    result.ratio = std::clamp(most > 0.0 ? before / most : largest_ratio, kSmallestRatio, largest_ratio);
   }
-  const double factor = (last > 1 ? kSafety : 1.0) / (result.ratio - 1.0);
+  const double factor = kSafety / (result.ratio - 1.0);
   for (const double at : change)
     result.errors.push_back(factor * std::max(at, kSmear * most) + kRounding * result.largest);
   result.error = result.largest > 0.0 ? largest_of(result.errors) / result.largest : 0.0;
@@ -148,7 +158,7 @@ class Converging {
   ConvergeResult run() {
     const auto begin = std::chrono::steady_clock::now();
     double spacing = balanced(settings_.spacing);
-    while (!round(spacing)) spacing *= step_;
+    while (!round_if_possible(spacing)) spacing *= step_;
     result_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     return std::move(result_);
   }
@@ -158,10 +168,26 @@ class Converging {
   double balanced(double spacing) const {
     std::size_t cells = make_(spacing).cell_count();
     for (;;) {
-      const std::size_t finer = make_(0.5 * spacing).cell_count();
+      std::size_t finer = 0;
+      try {
+        finer = make_(0.5 * spacing).cell_count();
+      } catch (const TooLarge&) {
+        return spacing;
+      }
       if (static_cast<double>(finer) > kLittle * static_cast<double>(cells)) return spacing;
       spacing *= 0.5;
       cells = finer;
+    }
+  }
+
+  // What is too large after there was an answer is the end, and no loss.
+  bool round_if_possible(double spacing) {
+    try {
+      return round(spacing);
+    } catch (const TooLarge& refusal) {
+      if (result_.loads.empty()) throw;
+      result_.limit = refusal.what();
+      return true;
     }
   }
 
@@ -174,20 +200,32 @@ class Converging {
     std::vector<LoadResult> loads;
     bool promising = true;
     while (family.solved() < 3 && promising && !needs_too_much(family, children)) {
-      family.refine();
-      solve(family);
-      loads = family.results();
-      if (error_of(loads) <= settings_.tolerance) break;
+      if (!refine(family)) break;
+      loads = family.results(settings_);
+      if (error_of(loads) <= settings_.tolerance && (family.solved() > 2 || !settings_.three_meshes)) break;
       // With two meshes known the third would divide what they state by about 8: where that isn't enough, finer ones.
       promising = family.solved() > 2 || error_of(loads) <= kExpectedGain * settings_.tolerance ||
                   !can_go_on(family, error_of(loads) / kExpectedGain, children);
     }
     if (loads.empty() && result_.loads.empty())
-      throw Refusal("the coarsest finite-element mesh leaves no room to refine it: " + result_.limit);
+      throw TooLarge("the coarsest finite-element mesh leaves no room to refine it: " + result_.limit);
     const bool goes_on = !promising || (family.solved() > 2 && error_of(loads) > settings_.tolerance &&
                                         can_go_on(family, error_of(loads), 1.0));
     if (!loads.empty()) keep_better(family, std::move(loads), spacing);
     return !goes_on;
+  }
+
+  // False when that is too large, and there is an answer already.
+  bool refine(Family& family) {
+    try {
+      family.refine_and_solve(problem_, 2.0 * settings_.factor_bytes_limit);
+    } catch (const TooLarge& refusal) {
+      if (family.solved() < 2 && result_.loads.empty()) throw;
+      result_.limit = refusal.what();
+      return false;
+    }
+    ++result_.meshes;
+    return true;
   }
 
   void solve(Family& family) {

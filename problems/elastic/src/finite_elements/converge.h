@@ -5,13 +5,13 @@
 ///
 /// A mesh M, graded by whoever makes it, is refined regularly to M' and M''. Halved everywhere, smooth parts of the
 /// error fall by 8 or more, and what is left of a singular place by 2^{2λ} > 2, so the differences of the three answers
-/// tell both. With q the observed ratio of a load's largest differences, taken as at most 4, the error of M'' is
-/// estimated at each wanted place as
+/// tell both. With q the observed ratio of a load's largest differences, taken as 1.1 at least and 4 at most, the error
+/// of M'' is estimated at each wanted place as
 ///
 ///   e(x) = 2.5 max(|u''(x) − u'(x)|, a tenth of the largest |u'' − u'|) / (q − 1)
 ///
 /// The displacements of M'' themselves are returned: extrapolated ones would be better by an amount that nobody knows.
-/// Where the difference of M' and M itself is within the tolerance, it is the estimate, and M'' isn't made. Where the
+/// With two meshes q is taken as 2, and where that is within the tolerance M'' isn't made. Where the
 /// estimate is above the tolerance, a finer M is made, of a spacing that the estimate asks for.
 ///
 /// Units    metres.
@@ -40,6 +40,11 @@ struct ConvergeSettings {
   double factor_bytes_limit = 1e9;
   /// Of LoadSolution::borne_by_places: where the first mesh shows more, that is all that is found.
   double borne_limit = std::numeric_limits<double>::infinity();
+  /// Whether a second difference must be seen before one is believed: where interfaces make singular places.
+  bool three_meshes = false;
+  /// The least λ of singular places: q is at most 2^{2λ}. The differences of a few meshes may still be those of what is
+  /// smooth, and the rest fall far slower.
+  double least_exponent = 1.0;
 };
 
 struct LoadResult {

@@ -43,7 +43,10 @@ struct PlaneBody {
   /// Where the solution is singular for other reasons than a corner that turns inwards: ends of supports,
   /// singular_interface_places, and corners where a traction along one side isn't met by the same shear on the other.
   std::vector<plane::Point> graded = {};
-  double tolerance = 0.0;  ///< of interfaces; 0: 1e-6 of the body's size
+  /// Where the solution is more singular than at those, like d^λ: interface_crossings.
+  std::vector<plane::Point> crossings = {};
+  double crossing_exponent = 0.5;  ///< λ there; see size_field.h
+  double tolerance = 0.0;          ///< of interfaces; 0: 1e-6 of the body's size
   std::size_t cell_limit = 1'000'000;
 };
 
@@ -59,6 +62,10 @@ inline constexpr double kGradingReach = 0.25;
 /// body, or turns by more than `turn`. Needs no CGAL.
 [[nodiscard]] std::vector<plane::Point> singular_interface_places(const PlaneBody& body,
                                                                   double turn = kDefaultCornerTurn);
+
+/// Those among them where three sectors or more meet, inside or at the border: with stiffnesses far apart these have
+/// the least exponents of all. Needs no CGAL.
+[[nodiscard]] std::vector<plane::Point> interface_crossings(const PlaneBody& body);
 
 /// Whether this build can.
 [[nodiscard]] bool plane_meshes_available() noexcept;

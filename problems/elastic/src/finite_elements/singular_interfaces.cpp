@@ -41,4 +41,17 @@ std::vector<plane::Point> singular_interface_places(const PlaneBody& body, doubl
   return singular;
 }
 
+std::vector<plane::Point> interface_crossings(const PlaneBody& body) {
+  const PlaneGraph graph = plane_graph(body);
+  std::vector<std::size_t> sectors(graph.places.size(), 0);
+  for (const auto& piece : graph.interfaces)
+    for (const std::size_t end : piece) ++sectors[end];
+  for (const auto& piece : graph.border)
+    if (sectors[piece[0]] > 0) ++sectors[piece[0]];
+  std::vector<plane::Point> crossings;
+  for (std::size_t at = 0; at < graph.places.size(); ++at)
+    if (sectors[at] > 2) crossings.push_back(graph.places[at]);
+  return crossings;
+}
+
 }  // namespace nodal::elastic::finite_elements

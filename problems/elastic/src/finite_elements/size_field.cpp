@@ -11,6 +11,7 @@ namespace nodal::elastic::finite_elements {
 namespace {
 
 constexpr double kStraight = 2e-3;   // a turn of less is none: λ is above 0.998
+constexpr double kDeepest = 1e-10;   // of the reach: nearer all is one size, far above what rounding moves vertices by
 constexpr double kPowerStep = 0.05;  // powers are rounded up to these, so that there are few
 
 double angle_of_material(const plane::Point& before, const plane::Point& at, const plane::Point& after) {
@@ -32,6 +33,10 @@ double corner_exponent(double angle) {
   return low;
 }
 
+double crossing_exponent(double contrast) {
+  return 4.0 / std::numbers::pi * std::atan(1.0 / std::sqrt(std::max(contrast, 1.0)));
+}
+
 void SizeField::grade_corners(const plane::Ring& ring) {
   const std::size_t count = ring.size();
   for (std::size_t k = 0; k < count; ++k) {
@@ -47,7 +52,7 @@ double SizeField::at(double x, double y, double least) const {
   for (const auto& [power, places] : places_) {
     double nearest = std::numeric_limits<double>::infinity();
     for (const plane::Point& p : places) nearest = std::min(nearest, (x - p[0]) * (x - p[0]) + (y - p[1]) * (y - p[1]));
-    nearest = std::max(nearest, least * least);
+    nearest = std::max({nearest, least * least, kDeepest * kDeepest * reach_ * reach_});
     share = std::min(share, std::pow(nearest / (reach_ * reach_), 0.5 * power));
   }
   return spacing_ * share;

@@ -32,7 +32,9 @@ class BodyMesh {
   [[nodiscard]] virtual std::vector<finite_elements::Region> regions() const = 0;
   [[nodiscard]] virtual std::vector<finite_elements::Prescribed> prescribed(const BodyLoad& load) const = 0;
   [[nodiscard]] virtual finite_elements::Load load(const BodyLoad& load) const = 0;
-  [[nodiscard]] virtual std::vector<Vector> wanted() const = 0;  ///< [nodes] where they are in the mesh
+  [[nodiscard]] virtual bool has_singular_interfaces() const { return false; }
+  [[nodiscard]] virtual double least_exponent() const { return 1.0; }  ///< λ of the most singular place, where known
+  [[nodiscard]] virtual std::vector<Vector> wanted() const = 0;        ///< [nodes] where they are in the mesh
 };
 
 /// For loads of the net whose body this is: what they hold decides where meshes are finer.

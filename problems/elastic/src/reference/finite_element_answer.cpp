@@ -114,6 +114,17 @@ class Stresses {
   std::vector<fe::Ancestor> drawn_;
 };
 
+fe::ConvergeResult converged(const BodyMesh& body, const fe::Problem& problem, const fe::ConvergeSettings& settings) {
+  try {
+    return fe::converge([&](double spacing) { return body.mesh(spacing); }, problem, body.wanted(), settings);
+  } catch (const fe::TooLarge& refusal) {
+    throw Refusal(fmt::format(
+        "{}; take a coarser outline or regions of fewer sides, or give displacements, as reference = {{ file = "
+        "\"displacements.csv\" }}",
+        refusal.what()));
+  }
+}
+
 }  // namespace
 
 std::string why_no_finite_elements(const PlacedLoad& load, const Net& net) {
@@ -141,8 +152,9 @@ FiniteElementAnswer answer_by_finite_elements(const Net& net, const MaterialFiel
   settings.spacing = body->coarsest();
   settings.tolerance = tolerance;
   settings.borne_limit = kBorneByRounding;
-  const finite_elements::ConvergeResult found = finite_elements::converge(
-      [&](double spacing) { return body->mesh(spacing); }, asked.problem, body->wanted(), settings);
+  settings.three_meshes = body->has_singular_interfaces();
+  settings.least_exponent = body->least_exponent();
+  const finite_elements::ConvergeResult found = converged(*body, asked.problem, settings);
   for (std::size_t k = 0; k < asked.order.size(); ++k) require_nothing_borne(found.loads[k], *loads[asked.order[k]]);
   FiniteElementAnswer answer;
   answer.loads.resize(loads.size());

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 
+#include "finite_elements/converge.h"
 #include "finite_elements/plane_mesh.h"
+#include "finite_elements/size_field.h"
 #include "loads/border_pieces.h"
 #include "reference/body_meshes.h"
 #include "reference/marked_border.h"
@@ -11,6 +13,10 @@ namespace nodal::elastic {
 namespace {
 
 namespace fe = finite_elements;
+
+// A triangle of the coarsest of two meshes has four unknowns, of which the other makes sixteen: more is no use, and
+// takes long to make.
+constexpr std::size_t kMostCells = fe::ConvergeSettings{}.unknown_limit / 16;
 
 class PlaneBodyMesh final : public BodyMesh {
  public:
@@ -23,7 +29,12 @@ class PlaneBodyMesh final : public BodyMesh {
       for (const Support& point : load->body.points)
         if (!net.on_border(point.node)) body_.vertices.push_back(in_plane(net.nodes[point.node]));
     for (const PlacedLoad* load : loads) grade_ends(load->body);
-    std::ranges::move(fe::singular_interface_places(body_, net.body.corner_turn), std::back_inserter(body_.graded));
+    const std::vector<plane::Point> singular = fe::singular_interface_places(body_, net.body.corner_turn);
+    has_singular_interfaces_ = !singular.empty();
+    body_.graded.insert(body_.graded.end(), singular.begin(), singular.end());
+    body_.crossings = fe::interface_crossings(body_);
+    body_.crossing_exponent = fe::crossing_exponent(contrast());
+    body_.cell_limit = kMostCells;
     std::ranges::sort(body_.graded);
     body_.graded.erase(std::unique(body_.graded.begin(), body_.graded.end()), body_.graded.end());
   }
@@ -36,6 +47,9 @@ class PlaneBodyMesh final : public BodyMesh {
   }
 
   std::string elements() const override { return "triangles"; }
+
+  bool has_singular_interfaces() const override { return has_singular_interfaces_; }
+  double least_exponent() const override { return body_.crossings.empty() ? 1.0 : body_.crossing_exponent; }
 
   std::vector<fe::Region> regions() const override {
     std::vector<fe::Region> regions;
@@ -73,6 +87,18 @@ class PlaneBodyMesh final : public BodyMesh {
   std::vector<Vector> wanted() const override { return lifted(border_.place); }
 
  private:
+  // Of the stiffest region to the softest, along the axis or in the shear where they differ most.
+  double contrast() const {
+    double most = 1.0;
+    const std::vector<fe::Region> all = regions();
+    for (const std::size_t row : {0, 1, 5}) {
+      const auto stiffness = [&](const fe::Region& r) { return r.thickness / r.compliance[row][row]; };
+      const auto [soft, stiff] = std::ranges::minmax_element(all, {}, stiffness);
+      most = std::max(most, stiffness(*stiff) / stiffness(*soft));
+    }
+    return most;
+  }
+
   // Sides of no piece have a label of their own.
   std::vector<std::size_t> labels(std::size_t ring) const {
     std::size_t pieces = 0;
@@ -103,6 +129,7 @@ class PlaneBodyMesh final : public BodyMesh {
   const MaterialField& material_;
   MarkedBorder border_;
   fe::PlaneBody body_;
+  bool has_singular_interfaces_ = false;
 };
 
 }  // namespace
