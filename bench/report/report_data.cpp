@@ -223,9 +223,22 @@ ProblemReport make_problem(const NamedProblem& named, const Collection& all, con
     std::vector<const TrialRecord*> trials;
     for (const TrialRecord* record : records)
       if (record->optimizer == optimizer.label && !record->trace.empty()) trials.push_back(record);
-    if (!trials.empty()) add_curves(optimizer.label, trials, report);
+    if (trials.empty()) continue;
+    add_curves(optimizer.label, trials, report);
+    report.scrutiny.optimizers.push_back({optimizer.label, claims_seen(trials), first_to_rest(trials)});
   }
+  report.scrutiny.aliases = aliases(records);
   return report;
+}
+
+// Beside problems that have trials a table without a row only looks like a result.
+void leave_out_untried(std::vector<ProblemReport>& problems, std::vector<std::string>& warnings) {
+  const auto tried = [](const ProblemReport& problem) { return !problem.table.rows.empty(); };
+  if (std::ranges::none_of(problems, tried)) return;
+  for (const ProblemReport& problem : problems)
+    if (!tried(problem))
+      warnings.push_back(fmt::format("no trial of problem '{}' is stored yet", problem.table.reference.label));
+  std::erase_if(problems, [&](const ProblemReport& problem) { return !tried(problem); });
 }
 
 }  // namespace
@@ -238,6 +251,7 @@ ReportData collect(std::span<const Store> stores, const Registry& registry) {
   data.study_name = all.study_name;
   data.study_text = all.study_text;
   for (const NamedProblem& problem : all.problems) data.problems.push_back(make_problem(problem, all, registry));
+  leave_out_untried(data.problems, all.warnings);
   for (const TrialRecord& record : all.records)
     if (is_failure(record.end))
       data.failed.push_back({record.problem, record.optimizer, record.repeat, record.end, record.reason});

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include <nodal/analysis.h>
+#include <nodal/scrutiny.h>
 #include <nodal/store.h>
 #include <nodal/study.h>
 
@@ -35,6 +36,17 @@ struct BestOfAll {
   std::optional<double> cost = {};
 };
 
+/// What a sceptic finds in the trials of an optimizer, and between optimizers (scrutiny.h).
+struct OptimizerScrutiny {
+  std::string optimizer;
+  ClaimsSeen claims;
+  std::optional<double> first_to_rest;
+};
+struct Scrutiny {
+  std::vector<OptimizerScrutiny> optimizers;  ///< in the table's order
+  std::vector<Alias> aliases;
+};
+
 struct ProblemReport {
   std::string kind;                      ///< as the study says it; empty when the manifest doesn't know
   std::string quality_name = "quality";  ///< as the kind calls it
@@ -46,6 +58,7 @@ struct ProblemReport {
   std::vector<OptimizerCurves> curves;         ///< in the table's order; optimizers without a point are left out
   std::vector<OptimizerCurves> unseen_curves;  ///< the same of unseen errors
   std::optional<BestOfAll> best;
+  Scrutiny scrutiny = {};
   std::vector<std::string> notes;  ///< what is to be known of any result: Exhibit::notes_at the start. By the caller
   ReportPart details;              ///< of how it was made; empty where the manifests say nothing
   std::string fingerprint = {};    ///< of the files it was read from (StudyProblem), as the stores have it

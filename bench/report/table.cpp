@@ -13,13 +13,13 @@
 #include <nodal/show/number_text.h>
 #include <nodal/unseen.h>
 
+#include "table_notes.h"
+
 namespace nodal::report {
 
 namespace {
 
-constexpr int kDigits = 4;  // of errors and qualities
 constexpr std::array<double, 3> kShownGaps = {1e-1, 1e-2, 1e-3};
-constexpr double kManyTimes = 3.0;  // its least on the way: less is told by the chart
 constexpr double kNever = std::numeric_limits<double>::infinity();
 constexpr auto kSeconds = static_cast<std::size_t>(Axis::seconds);
 
@@ -38,8 +38,6 @@ std::string median_text(const std::optional<Quartiles>& q) { return q ? figure_t
 std::string spread_text(const std::optional<Quartiles>& q) {
   return q ? fmt::format("[{}, {}]", figure_text(q->lower, kDigits), figure_text(q->upper, kDigits)) : "";
 }
-
-constexpr const char* kDisturbed = "†";
 
 std::string label_text(const OptimizerRow& row) {
   return row.label + (row.baseline ? " (baseline)" : "") + (row.contaminated > 0 ? fmt::format(" {}", kDisturbed) : "");
@@ -148,87 +146,6 @@ void add_findings(std::vector<Filler>& fillers, const ProblemReport& problem) {
                                         finding.help, false, 5, finding.title}));
 }
 
-// What marks in the table stand for.
-std::optional<std::string> disturbed_note(const std::vector<OptimizerRow>& rows) {
-  std::size_t disturbed = 0, trials = 0;
-  for (const OptimizerRow& row : rows) {
-    disturbed += row.contaminated;
-    trials += row.trials;
-  }
-  if (disturbed == 0) return std::nullopt;
-  return fmt::format(
-      "{} {} of {} trials did not have a processor core to themselves: their times are too long, and those that the "
-      "clock ended searched less than they could have. nodal compare --rerun contaminated runs them again.",
-      kDisturbed, disturbed, trials);
-}
-
-// Who is worse than the start where nothing was fitted, with the figures.
-std::optional<std::string> worse_unseen_note(const ProblemTable& table) {
-  std::vector<std::string> worse;
-  for (const OptimizerRow& row : table.rows)
-    if (row.unseen && row.unseen->over_start > 1.0)
-      worse.push_back(fmt::format("{} ({} times)", row.label, figure_text(row.unseen->over_start, 3)));
-  if (worse.empty()) return std::nullopt;
-  return fmt::format("Worse than their starts in what is held out: {}.", fmt::join(worse, ", "));
-}
-
-// Who was better there on the way.
-std::optional<std::string> risen_unseen_note(const ProblemTable& table) {
-  std::vector<std::string> risen;
-  for (const OptimizerRow& row : table.rows)
-    if (row.unseen && row.unseen->over_start <= 1.0 && row.unseen->error > kManyTimes * row.unseen->least)
-      risen.push_back(fmt::format("{} ({})", row.label, figure_text(row.unseen->least, kDigits)));
-  if (risen.empty()) return std::nullopt;
-  return fmt::format("Unseen error that was far less on the way, and rose while the fitted one fell: {}.",
-                     fmt::join(risen, ", "));
-}
-
-std::optional<std::string> missing_unseen_note(const ProblemTable& table) {
-  std::size_t missing = 0;
-  for (const OptimizerRow& row : table.rows) missing += row.unseen_missing;
-  if (missing == 0) return std::nullopt;
-  return fmt::format("What is held out can't be evaluated at the best point of {} trial{}.", missing,
-                     missing == 1 ? "" : "s");
-}
-
-std::optional<std::string> validated_note(const ProblemTable& table) {
-  if (!table.unseen || table.unseen->chosen_by.empty()) return std::nullopt;
-  return fmt::format("stop = \"unseen\": {} chose which point of a trial is reported; unseen errors are those of {}.",
-                     fmt::join(table.unseen->chosen_by, ", "), fmt::join(table.unseen->reported, ", "));
-}
-
-// Who fits better than anybody knows what is fitted.
-std::optional<std::string> floor_note(const ProblemReport& problem) {
-  for (const FindingDescription& finding : problem.findings) {
-    if (!finding.floor) continue;
-    std::vector<std::string> below;
-    double floor = 0.0;
-    for (const OptimizerRow& row : problem.table.rows) {
-      const auto found = row.findings.find(finding.name);
-      if (found == row.findings.end() || !row.relative_error || row.relative_error->median >= found->second.median)
-        continue;
-      below.push_back(row.label);
-      floor = found->second.median;
-    }
-    if (!below.empty())
-      return fmt::format(
-          "Relative errors below {}, the {}, are no results, and differences between them say nothing: {}.",
-          figure_text(floor, 2), finding.title, fmt::join(below, ", "));
-  }
-  return std::nullopt;
-}
-
-std::vector<std::string> notes_of(const ProblemReport& problem) {
-  const ProblemTable& table = problem.table;
-  std::vector<std::string> notes;
-  for (const std::string& note : problem.notes) notes.push_back(fmt::format("At the start: {}.", note));
-  for (std::optional<std::string>& note :
-       std::array{disturbed_note(table.rows), worse_unseen_note(table), risen_unseen_note(table),
-                  missing_unseen_note(table), validated_note(table), floor_note(problem)})
-    if (note) notes.push_back(std::move(*note));
-  return notes;
-}
-
 std::vector<const OptimizerRow*> best_first(const ProblemTable& table, bool has_error) {
   const auto key = [has_error](const OptimizerRow* row) {
     const std::optional<Quartiles>& q = has_error ? row->relative_error : row->quality;
@@ -269,7 +186,7 @@ Table make_text_table(const ProblemReport& problem) {
     for (const Filler& filler : fillers) cells.push_back(filler.cell(*row));
     table.optimizers.push_back(row->label);
   }
-  table.notes = notes_of(problem);
+  table.notes = table_notes(problem);
   return table;
 }
 

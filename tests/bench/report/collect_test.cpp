@@ -128,6 +128,35 @@ TEST_F(Collect, RefusesDifferentProblemsUnderOneLabel) {
   EXPECT_THROW((void)collect(stores, kinds()), InputError);
 }
 
+// A table without rows beside others would look like a result.
+TEST_F(Collect, LeavesOutProblemsThatNobodyTriedAndSaysSo) {
+  TrialRecord other = record("k1", "annealing", 2.0);
+  other.problem = "gear";
+  std::vector<Store> stores;
+  stores.push_back(store("a", {other}));
+  const ReportData data = collect(stores, kinds());
+  ASSERT_EQ(data.problems.size(), 1u);
+  EXPECT_EQ(data.problems[0].table.reference.label, "gear");
+  ASSERT_EQ(data.warnings.size(), 1u);
+  EXPECT_EQ(data.warnings[0], "no trial of problem 'plate' is stored yet");
+}
+
+TEST_F(Collect, FindsEntriesThatAreOneAndClaimsThatNobodySaw) {
+  std::vector<TrialRecord> records = {record("k1", "annealing", 2.0), record("k2", "my annealing", 2.0)};
+  for (TrialRecord& r : records)
+    r.trace = {{0, 1e-4, 0, 4.0}, {1, 0.1, 0, 3.5},  {3, 0.1, 0, 3.0},
+               {5, 0.1, 0, 2.5},  {7, 0.1, 0, 2.25}, {9, 0.1, 0, 2.0}};
+  records[1].claimed = ClaimRecord{0.25 * *records[1].best->summary.cost, {}, {}, "done"};
+  std::vector<Store> stores;
+  stores.push_back(store("a", records));
+  const Scrutiny found = collect(stores, kinds()).problems.at(0).scrutiny;
+  ASSERT_EQ(found.aliases.size(), 1u);
+  EXPECT_EQ(found.aliases[0].second, "my annealing");
+  ASSERT_EQ(found.optimizers.size(), 2u);
+  EXPECT_TRUE(found.optimizers[0].claims.agrees());
+  EXPECT_EQ(found.optimizers[1].claims.better.trials, 1u);
+}
+
 TEST_F(Collect, KeepsTheReasonsOfFailedTrials) {
   std::vector<Store> stores;
   stores.push_back(store("a", {record("k1", "annealing", 2.0), record("k2", "annealing", 3.0, End::crashed)}));

@@ -230,6 +230,24 @@ TEST(ConsoleTable, SaysBelowTheTableWhatIsToBeKnownOfAnyResult) {
       << console_table(data, 200);
 }
 
+TEST(ConsoleTable, NamesWhoClaimsWhatTheMeterDidNotSee) {
+  ReportData data = fixture::make_data();
+  OptimizerScrutiny liar{"random-search", {}, {}}, loser{"annealing", {}, {}};
+  liar.claims = {15, {2, 7, 0.125, 0.5}, {}, 0, {15, 3, 900, 1000}};
+  loser.claims = {15, {}, {1, 4, 2.0, 0.75}, 1, {}};
+  data.problems[0].scrutiny.optimizers = {liar, loser};
+  data.problems[0].scrutiny.aliases = {{"annealing", "my annealing", 3}};
+  const std::string text = console_table(data);
+  for (const char* note :
+       {"random-search claims a cost of 0.125 where a fresh evaluation of its best point says 0.5 (2 of 15 trials; "
+        "repeat 7).\n",
+        "annealing claims a cost of 2 though it had been at 0.75 (1 of 15 trials; repeat 4).\n",
+        "Evaluations that methods claim (and the meter's): random-search 900 (1000).\n",
+        "annealing and my annealing are one: the same points, evaluation by evaluation, in all 3 repeats",
+        "The table has what the meter saw"})
+    EXPECT_NE(text.find(note), std::string::npos) << note << "\n" << text;
+}
+
 TEST(ConsoleTable, CallsTheQualityAsTheKindDoes) {
   ReportData data = fixture::make_data();
   data.problems[0].quality_name = "Q";
