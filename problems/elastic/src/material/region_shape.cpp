@@ -72,6 +72,16 @@ Extent near(Extent upright, const Extent& box) {
   return upright;
 }
 
+// A point of the line: its own, or, where that is far outside, the foot of the box's middle.
+plane::Point near(const HalfPlane& half, const Extent& box) {
+  const plane::Point middle = {0.5 * (box.low[0] + box.high[0]), 0.5 * (box.low[1] + box.high[1])};
+  const plane::Point from = {half.point[0] - middle[0], half.point[1] - middle[1]};
+  if (std::hypot(from[0], from[1]) <= 2.0 * box.size()) return half.point;
+  const double length = std::hypot(half.towards[0], half.towards[1]);
+  const plane::Point n = {half.towards[0] / length, half.towards[1] / length};
+  return along(middle, n, from[0] * n[0] + from[1] * n[1]);
+}
+
 void add_sides(const plane::Ring& ring, const Extent& box, std::vector<Segment>& sides) {
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const plane::Point &p = ring[i], &q = ring[(i + 1) % ring.size()];
@@ -109,7 +119,7 @@ std::vector<Segment> sides_within(const RegionShape& shape, const Extent& box, d
   if (const auto* half = std::get_if<HalfPlane>(&shape)) {
     constexpr double kEverywhere = std::numeric_limits<double>::infinity();
     const plane::Point line = {-half->towards[1], half->towards[0]};
-    if (const auto side = cut(half->point, line, -kEverywhere, kEverywhere, box)) sides.push_back(*side);
+    if (const auto side = cut(near(*half, box), line, -kEverywhere, kEverywhere, box)) sides.push_back(*side);
   } else {
     for (const plane::Ring& ring : rings_around(shape, box)) add_sides(ring, box, sides);
   }

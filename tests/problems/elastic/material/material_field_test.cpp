@@ -129,6 +129,15 @@ TEST(MaterialField, BordersOfBoxesWithoutEndHaveAllTheirDigits) {
   }
 }
 
+TEST(MaterialField, BordersOfHalfPlanesHaveTheirDigitsWhereverTheirPointIs) {
+  MaterialField field;
+  field.regions = {{"left", HalfPlane{{2.0 / 3.0, 1e10}, {-1.0, 0.0}}, {}}};
+  const auto sides = borders(field, {{0.0, 0.0, 0.0}, {4.0, 0.1, 0.0}});
+  ASSERT_EQ(sides.size(), 1u);
+  for (const plane::Point& end : sides[0]) EXPECT_NEAR(end[0], 2.0 / 3.0, 1e-15);
+  EXPECT_NEAR(std::abs(sides[0][1][1] - sides[0][0][1]), 0.1, 1e-15);
+}
+
 TEST(MaterialField, PlanesOfBoxesAreThoseInsideTheBody) {
   MaterialField field;
   field.tolerance = 1e-9;
