@@ -17,11 +17,11 @@ constexpr std::array<std::string_view, 5> kFolders = {"lib", "problems", "optimi
 constexpr std::string_view kLicence = "// SPDX-License-Identifier: GPL-3.0-or-later";
 
 // What lib stands on; the libraries of problems and optimizers are theirs alone.
-constexpr std::array<std::string_view, 3> kLibrariesOfLib = {"fmt/", "toml++/", "nlohmann/"};
+constexpr std::array<std::string_view, 4> kLibrariesOfLib = {"fmt/", "toml++/", "nlohmann/", "boost/math/"};
 // Headers of the system, not of a library.
-constexpr std::array<std::string_view, 15> kSystem = {"dlfcn.h",  "errno.h",   "fcntl.h",   "limits.h", "link.h",
-                                                      "poll.h",   "pthread.h", "pwd.h",     "sched.h",  "signal.h",
-                                                      "string.h", "sys/",      "termios.h", "time.h",   "unistd.h"};
+constexpr std::array<std::string_view, 16> kSystem = {
+    "dlfcn.h", "errno.h", "fcntl.h",  "fnmatch.h", "limits.h", "link.h",    "poll.h", "pthread.h",
+    "pwd.h",   "sched.h", "signal.h", "string.h",  "sys/",     "termios.h", "time.h", "unistd.h"};
 // Written at build time.
 constexpr std::string_view kGenerated = "revision.h";
 constexpr std::string_view kComponents = "nodal/components.h";
