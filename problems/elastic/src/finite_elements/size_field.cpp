@@ -42,7 +42,7 @@ void SizeField::grade_corners(const plane::Ring& ring) {
   for (std::size_t k = 0; k < count; ++k) {
     const double angle = angle_of_material(ring[(k + count - 1) % count], ring[k], ring[(k + 1) % count]);
     if (angle < std::numbers::pi + kStraight) continue;
-    const double power = 1.0 - corner_exponent(angle) / 1.5;
+    const double power = 1.0 - corner_exponent(angle) / 2.5;
     grade(ring[k], kPowerStep * std::ceil(power / kPowerStep));
   }
 }

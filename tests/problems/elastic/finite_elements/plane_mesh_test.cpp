@@ -95,7 +95,7 @@ TEST(PlaneMesh, CornersThatTurnInwardsAreGradedByTheirAngle) {
   SizeField size(0.1, 1.0);
   size.grade_corners({{0, 0}, {4, 0}, {4, 4}, {2, 2}, {0, 4}});  // 270° at (2, 2) alone
   EXPECT_DOUBLE_EQ(size.at(0.0, 0.0), 0.1);
-  EXPECT_DOUBLE_EQ(size.at(2.0, 1.5), 0.1 * std::pow(0.5, 0.65));  // 1 − 2λ/3 = 0.637
+  EXPECT_DOUBLE_EQ(size.at(2.0, 1.5), 0.1 * std::pow(0.5, 0.8));  // 1 − 2λ/5 = 0.782
 }
 
 TEST(PlaneMesh, HasTheVerticesThatAreAskedFor) {
