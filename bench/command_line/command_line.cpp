@@ -94,6 +94,39 @@ void add_rerun(CLI::App& command, CompareArguments& to) {
   command.add_flag("--fresh", to.fresh, "Run every trial of the study again")->excludes(rerun);
 }
 
+void add_only(CLI::App& command, StudyOverrides& overrides) {
+  command
+      .add_option(
+          "--only", overrides.only,
+          "Only the optimizers with these labels, or with a 'use' that one entry has, separated by commas; may be "
+          "repeated")
+      ->type_name("LABEL,…");
+  command.add_option("--problem", overrides.only_problems, "Only the problem with this label; may be repeated")
+      ->type_name("LABEL")
+      ->allow_extra_args(false);
+}
+
+void add_share(CLI::App& command, CompareArguments& to) {
+  CLI::Option* shard = command
+                           .add_option("--shard", to.shard,
+                                       "Run the K-th of N shares of the trials, or what a scheduler says (auto: Slurm, "
+                                       "Open MPI, PMI), into a store that others write to; no report")
+                           ->type_name("K/N");
+  command.add_option("--trials", to.trials, "Run the trials with the keys in this file, one a line (- is stdin)")
+      ->type_name("FILE")
+      ->excludes(shard);
+}
+
+void add_trials(CLI::App& app, const Registry& registry, int& exit) {
+  const auto to = std::make_shared<TrialsArguments>();
+  CLI::App& command =
+      add_command(app, "trials", "Keys of a study's trials, for compare --trials", trials_command, registry, exit, to);
+  add_study(command, to->study, to->overrides);
+  add_only(command, to->overrides);
+  add_repeats(command, to->overrides);
+  add_budget(command, to->overrides);
+}
+
 void add_compare(CLI::App& app, const Registry& registry, int& exit) {
   const auto to = std::make_shared<CompareArguments>();
   CLI::App& command =
@@ -102,16 +135,9 @@ void add_compare(CLI::App& app, const Registry& registry, int& exit) {
   add_study(command, to->study, to->overrides);
   command.add_option("--out", to->out, "Where results are stored (default: results/<name of the study>)")
       ->type_name("DIR");
-  command
-      .add_option(
-          "--only", to->overrides.only,
-          "Only the optimizers with these labels, or with a 'use' that one entry has, separated by commas; may be "
-          "repeated")
-      ->type_name("LABEL,…");
-  command.add_option("--problem", to->overrides.only_problems, "Only the problem with this label; may be repeated")
-      ->type_name("LABEL")
-      ->allow_extra_args(false);
+  add_only(command, to->overrides);
   add_rerun(command, *to);
+  add_share(command, *to);
   add_repeats(command, to->overrides);
   add_budget(command, to->overrides);
   command.add_option("--jobs", to->jobs, "Trials at once; times stay clean with 1 (default)")->check(above_zero());
@@ -204,6 +230,7 @@ int run_command(const Registry& registry, int argc, const char* const* argv) {
   add_fit(app, registry, exit);
   add_report(app, registry, exit);
   add_explain(app, registry, exit);
+  add_trials(app, registry, exit);
   for (const ProblemDescription& problem : registry.problems())
     for (const Command& command : problem.commands) add_problem_command(app, command, registry, exit);
   add_list(app, registry, exit);

@@ -17,6 +17,12 @@ struct CompareArguments {
   int jobs = 1;
   std::vector<std::string> rerun;  ///< as CompareOptions has them
   bool fresh = false;
+  std::string shard, trials;  ///< "3/8" or "auto"; a file with keys of trials, "-" for standard input
+  StudyOverrides overrides;
+};
+
+struct TrialsArguments {
+  std::string study;
   StudyOverrides overrides;
 };
 
@@ -54,6 +60,7 @@ int evaluate_command(const EvaluateArguments& arguments, const Registry& registr
 int fit_command(const FitArguments& arguments, const Registry& registry);
 int report_command(const ReportArguments& arguments, const Registry& registry);
 int explain_command(const ExplainArguments& arguments, const Registry& registry);
+int trials_command(const TrialsArguments& arguments, const Registry& registry);
 int list_command(const ListArguments& arguments, const Registry& registry);
 
 inline constexpr int kExitTrialFailed = 1;

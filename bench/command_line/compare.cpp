@@ -4,10 +4,15 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <iostream>
+#include <iterator>
+#include <optional>
 
 #include <fmt/format.h>
 
+#include <nodal/file.h>
+#include <nodal/shard.h>
 #include <nodal/store.h>
 
 #include "commands.h"
@@ -47,6 +52,25 @@ std::string way_on(const CompareArguments& arguments) {
   return fmt::format("without {} it runs only what was never stored", arguments.fresh ? "--fresh" : "--rerun");
 }
 
+std::string standard_input() { return {std::istreambuf_iterator<char>(std::cin), {}}; }
+
+// Those of a share or a list; all of the study's without.
+std::optional<std::vector<std::string>> keys_asked_for(const CompareArguments& arguments, const Study& study) {
+  if (!arguments.shard.empty()) return shard_keys(study, read_shard(arguments.shard, ::getenv));
+  if (arguments.trials.empty()) return std::nullopt;
+  const bool piped = arguments.trials == "-";
+  return listed_keys(study, piped ? standard_input() : read_file(arguments.trials, "list of trials"),
+                     piped ? "standard input" : arguments.trials);
+}
+
+// A share is no comparison: the report is for whoever has all of them.
+void say_share(const CompareResult& result, std::size_t share, const std::string& directory) {
+  std::cout << fmt::format(
+      "{} of {} trials of this share ran and are stored in '{}'; nodal report '{}' shows what all "
+      "have stored\n",
+      result.ran, share, directory, directory);
+}
+
 }  // namespace
 
 int compare_command(const CompareArguments& arguments, const Registry& registry) {
@@ -60,6 +84,7 @@ int compare_command(const CompareArguments& arguments, const Registry& registry)
   options.jobs = arguments.jobs;
   options.rerun = arguments.rerun;
   options.fresh = arguments.fresh;
+  options.keys = keys_asked_for(arguments, study);
   require_comparable(study, options);  // before anything is written
   say_left_out(study);
   const std::string directory = directory_of(study.name);
@@ -68,6 +93,10 @@ int compare_command(const CompareArguments& arguments, const Registry& registry)
     std::cerr << fmt::format("interrupted: {} trials of this run are stored in '{}'; {}\n", result.ran, directory,
                              way_on(arguments));
     return kExitInterrupted;
+  }
+  if (options.keys) {
+    say_share(result, options.keys->size(), directory);
+    return result.failed > 0 ? kExitTrialFailed : 0;
   }
   // Read back: what the report shows is what is on the disk.
   std::vector<Store> stores;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <deque>
 #include <thread>
+#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -72,10 +73,13 @@ class Comparison {
   }
 
   void find_missing() {
-    const std::vector<Trial> all = all_trials(study_);
-    total_ = all.size();
-    for (const Trial& trial : all) {
-      const TrialRecord* stored = store_.find(trial_key(study_, trial));
+    std::optional<std::unordered_set<std::string>> own;
+    if (options_.keys) own.emplace(options_.keys->begin(), options_.keys->end());
+    for (const Trial& trial : all_trials(study_)) {
+      const std::string key = trial_key(study_, trial);
+      if (own && !own->contains(key)) continue;
+      ++total_;
+      const TrialRecord* stored = store_.find(key);
       if (stored && !rerun_.means(*stored)) {
         result_.failed += is_failure(stored->end);
         ++done_;
@@ -96,6 +100,7 @@ class Comparison {
   }
 
   void look_for_others() {
+    if (options_.keys) return;
     const std::optional<int> other = store_.other_writer();
     if (!other) return;
     if (!others_seen_)

@@ -11,6 +11,7 @@
 #include <atomic>
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,13 +28,16 @@ struct CompareOptions {
   /// that `failed`, or those that are `contaminated` (record.h). What they gave before stays in its file.
   std::vector<std::string> rerun = {};
   bool fresh = false;  ///< every trial of the study runs again
+  /// Only the trials with these keys (shard.h): the others are somebody else's, who may write here at the same time. So
+  /// nobody is warned of that, and times taken meanwhile are judged by the share of a core that each trial got.
+  std::optional<std::vector<std::string>> keys = {};
   const std::atomic<bool>* interrupted =
       nullptr;  ///< set it (from a signal handler, say) to stop after killing what runs
 };
 
 /// Called from `compare`'s own thread.
 struct CompareObserver {
-  /// Trials of the study, and how many of them the store already has.
+  /// Trials asked for, and how many of them the store already has.
   std::function<void(std::size_t total, std::size_t stored)> began;
   std::function<void(const TrialRecord& record, std::size_t done, std::size_t total)> finished;
   /// What people should know at once: the store's own warnings, and others that arise while trials run.
@@ -42,7 +46,7 @@ struct CompareObserver {
 
 struct CompareResult {
   std::size_t ran = 0;
-  std::size_t failed = 0;  ///< of the study's trials, stored ones included: ended failed, timeout or crashed
+  std::size_t failed = 0;  ///< of the trials asked for, stored ones included: ended failed, timeout or crashed
   bool interrupted = false;
 };
 
