@@ -6,8 +6,8 @@
 ///
 /// Displacements grow like r^λ from such a place. What a cell of size s there spoils elsewhere is of order s^{2λ}, and
 /// the cells there are reach·(spacing/reach)^{1/(1−β)} long: with β = 1 − 2λ/3 they spoil spacing³, what quadratic
-/// elements leave elsewhere. Corners have β = 1 − 2λ/5, spacing⁵: meshes are halved everywhere to see how errors fall, and
-/// what is singular falls by 2^{2λ} alone, so it must be little from the first.
+/// elements leave elsewhere. Corners have β = 1 − 2λ/5, spacing⁵: meshes are halved everywhere to see how errors fall,
+/// and what is singular falls by 2^{2λ} alone, so it must be little from the first.
 ///
 /// Cost     a place: the number of singular ones, and as many powers as there are different β.
 
@@ -23,8 +23,8 @@ namespace nodal::elastic::finite_elements {
 [[nodiscard]] double corner_exponent(double angle);
 
 /// λ where four quarters meet, of which every other one is `contrast` times as stiff: (4/π) atan(contrast^{-1/2}), the
-/// one of a scalar potential. Displacements have nearly the same (0.127 at 100), and of two materials that meet with
-/// any angles it is the least.
+/// one of a scalar potential. Displacements have nearly the same at 100 (0.127). It is taken for all places where three
+/// sectors or more meet, whatever their angles: an assumption, on the side of care where theirs is larger.
 [[nodiscard]] double crossing_exponent(double contrast);
 
 class SizeField {
