@@ -16,7 +16,7 @@ namespace nodal {
 
 namespace {
 
-const Source kOption{"--shard", 0};
+Source option() { return {"--shard", 0}; }
 
 std::optional<std::size_t> number_in(std::string_view text) {
   std::size_t number = 0;
@@ -29,14 +29,14 @@ std::optional<std::size_t> variable(const Environment& environment, const char* 
   const char* text = environment(name);
   if (!text) return std::nullopt;
   if (const std::optional<std::size_t> number = number_in(text)) return number;
-  throw InputError(kOption, fmt::format("auto: {} is '{}', which is no whole number; give K/N", name, shown(text)));
+  throw InputError(option(), fmt::format("auto: {} is '{}', which is no whole number; give K/N", name, shown(text)));
 }
 
 // A rank from 0 and how many there are, where both are said.
 std::optional<Shard> pair(const Environment& environment, const char* rank, const char* size) {
   const std::optional<std::size_t> k = variable(environment, rank), n = variable(environment, size);
   if (!k || !n) return std::nullopt;
-  if (*k >= *n) throw InputError(kOption, fmt::format("auto: {} is {} and {} is {}; give K/N", rank, *k, size, *n));
+  if (*k >= *n) throw InputError(option(), fmt::format("auto: {} is {} and {} is {}; give K/N", rank, *k, size, *n));
   return Shard{*k + 1, *n};
 }
 
@@ -54,7 +54,7 @@ std::optional<Shard> array_task_in(const Environment& environment) {
   const std::size_t first = variable(environment, "SLURM_ARRAY_TASK_MIN").value_or(0);
   const std::size_t step = std::max<std::size_t>(1, variable(environment, "SLURM_ARRAY_TASK_STEP").value_or(1));
   if (*id < first || (*id - first) % step != 0 || (*id - first) / step >= *count)
-    throw InputError(kOption, fmt::format("auto: task {} is none of {} from {} by {}: an array with gaps has no order; "
+    throw InputError(option(), fmt::format("auto: task {} is none of {} from {} by {}: an array with gaps has no order; "
                                           "give K/N",
                                           *id, *count, first, step));
   return Shard{(*id - first) / step + 1, *count};
@@ -63,7 +63,7 @@ std::optional<Shard> array_task_in(const Environment& environment) {
 Shard automatic(const Environment& environment) {
   const std::optional<Shard> rank = rank_in(environment), task = array_task_in(environment);
   if (!rank && !task)
-    throw InputError(kOption, "auto finds no variable of Slurm, Open MPI or PMI in the environment; give K/N, as 3/8");
+    throw InputError(option(), "auto finds no variable of Slurm, Open MPI or PMI in the environment; give K/N, as 3/8");
   const Shard inner = rank.value_or(Shard{}), outer = task.value_or(Shard{});
   return {(outer.index - 1) * inner.count + inner.index, outer.count * inner.count};
 }
@@ -79,7 +79,7 @@ Shard read_shard(const std::string& text, const Environment& environment) {
   const std::optional<std::size_t> k = slash == std::string::npos ? std::nullopt : part(0, slash);
   const std::optional<std::size_t> n = k ? part(slash + 1, std::string::npos) : std::nullopt;
   if (!k || !n || *k < 1 || *k > *n)
-    throw InputError(kOption, fmt::format("'{}' is no share; give K/N with 1 ≤ K ≤ N, as 3/8, or auto", shown(text)));
+    throw InputError(option(), fmt::format("'{}' is no share; give K/N with 1 ≤ K ≤ N, as 3/8, or auto", shown(text)));
   return {*k, *n};
 }
 

@@ -101,7 +101,7 @@ void set(Value& table, const Setting& setting) {
 // What an entry is called before anybody looks at it.
 std::string name_of(const Value& entry) {
   for (const char* key : {"label", "kind", "use"})
-    if (const std::string name = entry.is_table() ? entry.text_or(key, "") : ""; !name.empty()) return name;
+    if (std::string name = entry.is_table() ? entry.text_or(key, "") : ""; !name.empty()) return name;
   return {};
 }
 
