@@ -54,9 +54,10 @@ std::optional<Shard> array_task_in(const Environment& environment) {
   const std::size_t first = variable(environment, "SLURM_ARRAY_TASK_MIN").value_or(0);
   const std::size_t step = std::max<std::size_t>(1, variable(environment, "SLURM_ARRAY_TASK_STEP").value_or(1));
   if (*id < first || (*id - first) % step != 0 || (*id - first) / step >= *count)
-    throw InputError(option(), fmt::format("auto: task {} is none of {} from {} by {}: an array with gaps has no order; "
-                                          "give K/N",
-                                          *id, *count, first, step));
+    throw InputError(option(),
+                     fmt::format("auto: task {} is none of {} from {} by {}: an array with gaps has no order; "
+                                 "give K/N",
+                                 *id, *count, first, step));
   return Shard{(*id - first) / step + 1, *count};
 }
 
