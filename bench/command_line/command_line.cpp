@@ -197,6 +197,23 @@ void add_report(CLI::App& app, const Registry& registry, int& exit) {
   command.add_option("--out", to->out, "Where the files go (default: into the one store)")->type_name("DIR");
 }
 
+void add_merge(CLI::App& app, const Registry& registry, int& exit) {
+  const auto to = std::make_shared<MergeArguments>();
+  CLI::App& command = add_command(app, "merge", "Put several stores into a new one, which goes on like any other",
+                                  merge_command, registry, exit, to);
+  command.add_option("stores", to->directories, "Directories that nodal compare wrote")->required()->type_name("DIR…");
+  command.add_option("--out", to->out, "The new store's directory")->required()->type_name("DIR");
+}
+
+void add_verify(CLI::App& app, const Registry& registry, int& exit) {
+  const auto to = std::make_shared<VerifyArguments>();
+  CLI::App& command = add_command(app, "verify", "Run some of a store's trials again and say whether they do the same",
+                                  verify_command, registry, exit, to);
+  command.add_option("store", to->directory, "A directory that nodal compare wrote")->required()->type_name("DIR");
+  command.add_option("--trials", to->trials, "How many (default: 10)")->check(above_zero());
+  command.add_option("--seed", to->seed, "Which (default: 1)");
+}
+
 void add_explain(CLI::App& app, const Registry& registry, int& exit) {
   const auto to = std::make_shared<ExplainArguments>();
   CLI::App& command =
@@ -229,6 +246,8 @@ int run_command(const Registry& registry, int argc, const char* const* argv) {
   add_evaluate(app, registry, exit);
   add_fit(app, registry, exit);
   add_report(app, registry, exit);
+  add_merge(app, registry, exit);
+  add_verify(app, registry, exit);
   add_explain(app, registry, exit);
   add_trials(app, registry, exit);
   for (const ProblemDescription& problem : registry.problems())

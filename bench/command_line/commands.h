@@ -4,6 +4,8 @@
 /// What each command of the program's own is told, and the command itself, which returns the exit code. How words
 /// become arguments is command_line.cpp's business; InputError and StoreError end there too.
 
+#include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -45,6 +47,17 @@ struct ReportArguments {
   std::string out;
 };
 
+struct MergeArguments {
+  std::vector<std::string> directories;
+  std::string out;
+};
+
+struct VerifyArguments {
+  std::string directory;
+  std::size_t trials = 10;
+  std::uint64_t seed = 1;  ///< draws which
+};
+
 struct ExplainArguments {
   std::string study;
   bool trials = false;
@@ -59,6 +72,8 @@ int compare_command(const CompareArguments& arguments, const Registry& registry)
 int evaluate_command(const EvaluateArguments& arguments, const Registry& registry);
 int fit_command(const FitArguments& arguments, const Registry& registry);
 int report_command(const ReportArguments& arguments, const Registry& registry);
+int merge_command(const MergeArguments& arguments, const Registry& registry);
+int verify_command(const VerifyArguments& arguments, const Registry& registry);
 int explain_command(const ExplainArguments& arguments, const Registry& registry);
 int trials_command(const TrialsArguments& arguments, const Registry& registry);
 int list_command(const ListArguments& arguments, const Registry& registry);

@@ -14,8 +14,8 @@
 #include <nodal/agreement.h>
 #include <nodal/child_process.h>
 #include <nodal/exhibit.h>
-#include <nodal/file.h>
-#include <nodal/toml.h>
+
+#include "stored_study.h"
 
 namespace nodal {
 
@@ -24,61 +24,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::chrono::seconds kPatience(20);
-
-// ── what a study from a store may ask for ──
-
-void refuse_file(const std::string& name, const fs::path& folder) {
-  std::error_code error;
-  const fs::path home = fs::weakly_canonical(folder, error), file = fs::weakly_canonical(folder / name, error);
-  const auto [end, differs] = std::ranges::mismatch(home, file);
-  if (error || end != home.end())
-    throw InputError(fmt::format("the study names '{}', which is not below its folder '{}'", name, folder.string()));
-  if (!fs::is_regular_file(file, error))
-    throw InputError(
-        fmt::format("the study names '{}', which is no regular file of its folder '{}'", name, folder.string()));
-}
-
-// Every 'file' of a study.
-void collect_files(const Value& value, std::vector<std::string>& names) {
-  if (value.is_list())
-    for (const Value& item : value.list()) collect_files(item, names);
-  if (!value.is_table()) return;
-  for (const auto& [key, entry] : value.table()) {
-    if (key == "file" && entry.is_text()) names.push_back(entry.text());
-    collect_files(entry, names);
-  }
-}
-
-// The folder is the store's word: it is believed where the study stands in it, as the store has it.
-void refuse_another_study(const fs::path& path, const std::string& text) {
-  std::string there;
-  try {
-    there = read_file(path, "study");
-  } catch (const InputError&) {
-  }
-  if (there != text)
-    throw InputError(
-        fmt::format("the study names files, and '{}' is not the study that the store was made of", path.string()));
-}
-
-void refuse_costly(const Value& study, const Registry& registry) {
-  const Value* found = study.find("problem");
-  if (!found) return;
-  for (const Value& problem : found->is_list() ? found->list() : Value::List{*found}) {
-    const ProblemDescription* kind = problem.is_table() ? registry.find_problem(problem.text_or("kind", "")) : nullptr;
-    if (!kind || !kind->too_costly_to_draw) continue;
-    if (const std::string why = kind->too_costly_to_draw(problem); !why.empty()) throw InputError(why);
-  }
-}
-
-void refuse_strange_files(const Value& study, const fs::path& folder, const fs::path& path, const std::string& text) {
-  std::vector<std::string> names;
-  collect_files(study, names);
-  for (const std::string& name : names) refuse_file(name, folder);
-  if (!names.empty()) refuse_another_study(path, text);
-}
-
-// ── pictures ──
 
 // A store keeps its trials when the files that its study names change; a point of theirs is none of what they hold now.
 void refuse_another_system(const StudyProblem& entry, const report::ProblemReport& own) {
@@ -145,14 +90,8 @@ Shown to_shown(const Value& table) {
 std::string stored_pictures(const Value& study, const Registry& registry, report::ReportData& data) {
   Value answer;
   try {
-    const fs::path folder = study.at("directory").text();
-    const std::string& text = study.at("text").text();
-    const fs::path path = folder / fs::path(study.at("file").text()).filename();
-    const Value parsed = parse_toml(text, path.string());
-    refuse_costly(parsed, registry);
-    refuse_strange_files(parsed, folder, path, text);
     Value shown;
-    for (const StudyProblem& problem : parse_study(text, path, registry).problems)
+    for (const StudyProblem& problem : read_stored_study(study, registry, Cost::of_a_picture).problems)
       if (const report::ProblemReport* own = report_of(data, problem.label);
           own && !data.pictures.contains(problem.label))
         shown.set(problem.label, to_value(show(problem, *own)));

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
-#include <unordered_set>
 
 #include <fmt/format.h>
 
+#include <nodal/merge.h>
 #include <nodal/provenance.h>
 
 namespace nodal::report {
@@ -22,9 +22,7 @@ const Value::List& list_of(const Value& table, std::string_view key) {
 
 struct NamedProblem {
   std::string label, kind;
-  Value options;
   std::optional<KnownOptimum> best_known;
-  std::string store;
   Value details;
   std::string fingerprint;  // empty where an older build didn't say it, or there are no files
 };
@@ -35,32 +33,22 @@ std::optional<KnownOptimum> known_of(const Value& problem) {
   return KnownOptimum{known->at("quality").number(), known->text_or("origin", ""), {}};
 }
 
-// The merge of several stores, on the way to a report.
-class Collection {
- public:
-  void add(const Store& store) {
-    const Value& manifest = store.manifest();
-    add_study(manifest, store.directory().string());
-    for (const std::string& warning : store.warnings()) warnings.push_back(warning);
-    for (const Value& problem : list_of(manifest, "problems")) add_problem(problem, store.directory().string());
-    for (const Value& optimizer : list_of(manifest, "optimizers")) add_optimizer(optimizer);
+// What of the merged stores a report is made from.
+struct Collection {
+  explicit Collection(MergedStores merged) : warnings(std::move(merged.warnings)), records(std::move(merged.records)) {
+    const Value& manifest = merged.manifest;
+    if (const Value* study = manifest.find("study")) {
+      study_name = study->text_or("name", "");
+      study_text = study->text_or("text", "");
+    }
+    for (const Value& problem : list_of(manifest, "problems")) problems.push_back(named(problem));
+    for (const Value& optimizer : list_of(manifest, "optimizers"))
+      optimizers.push_back({optimizer.text_or("label", ""), optimizer.text_or("use", ""),
+                            optimizer.flag_or("baseline", false), optimizer.flag_or("deterministic", false)});
     for (const Value& entry : list_of(manifest, "left_out"))
       left_out.push_back({entry.text_or("label", ""), entry.text_or("use", ""), entry.text_or("reason", "")});
-    for (const Value& run : list_of(manifest, "runs"))
-      if (const Value* build = run.is_table() ? run.find("provenance") : nullptr;
-          build && build->is_table() && identities_.insert(build_identity(*build)).second)
-        builds.push_back(*build);
-    add_records(store);
-  }
-
-  // Labels that records have and no manifest names (a store whose manifest was lost).
-  void add_unnamed() {
-    for (const TrialRecord& record : records) {
-      if (std::ranges::find(problems, record.problem, &NamedProblem::label) == problems.end())
-        problems.push_back({record.problem, "", {}, std::nullopt, "", {}, ""});
-      if (std::ranges::find(optimizers, record.optimizer, &RowRequest::label) == optimizers.end())
-        optimizers.push_back({record.optimizer, record.use, false, false});
-    }
+    add_builds(manifest);
+    add_unnamed();
   }
 
   std::string study_name, study_text;
@@ -72,81 +60,30 @@ class Collection {
   std::vector<TrialRecord> records;
 
  private:
-  void add_study(const Value& manifest, const std::string& directory) {
-    const Value* study = manifest.find("study");
-    if (!study) return;
-    const std::string name = study->text_or("name", ""), text = study->text_or("text", "");
-    if (study_text.empty()) {
-      study_name = name;
-      study_text = text;
-    } else if (text != study_text) {
-      warnings.push_back(
-          fmt::format("'{}' was made from another text of the study: budgets and options may differ", directory));
-      study_text += fmt::format("\n# ── {} ──\n{}", directory, text);
+  static NamedProblem named(const Value& problem) {
+    const Value* details = problem.find("details");
+    return {problem.text_or("label", ""), problem.text_or("kind", ""), known_of(problem),
+            details && details->is_table() ? *details : Value(), problem.text_or("inputs", "")};
+  }
+
+  // Each once.
+  void add_builds(const Value& manifest) {
+    std::set<std::string> identities;
+    for (const Value& run : list_of(manifest, "runs"))
+      if (const Value* build = run.is_table() ? run.find("provenance") : nullptr;
+          build && build->is_table() && identities.insert(build_identity(*build)).second)
+        builds.push_back(*build);
+  }
+
+  // Labels that records have and no manifest names (a store whose manifest was lost).
+  void add_unnamed() {
+    for (const TrialRecord& record : records) {
+      if (std::ranges::find(problems, record.problem, &NamedProblem::label) == problems.end())
+        problems.push_back({record.problem, "", std::nullopt, {}, ""});
+      if (std::ranges::find(optimizers, record.optimizer, &RowRequest::label) == optimizers.end())
+        optimizers.push_back({record.optimizer, record.use, false, false});
     }
   }
-
-  void add_problem(const Value& problem, const std::string& directory) {
-    NamedProblem named{problem.text_or("label", ""), problem.text_or("kind", ""), {}, known_of(problem), directory, {},
-                       problem.text_or("inputs", "")};
-    if (const Value* details = problem.find("details"); details && details->is_table()) named.details = *details;
-    if (const Value* options = problem.find("options")) named.options = *options;
-    const auto same = std::ranges::find(problems, named.label, &NamedProblem::label);
-    if (same == problems.end()) {
-      problems.push_back(std::move(named));
-      return;
-    }
-    if (same->kind != named.kind || !(same->options == named.options))
-      throw InputError(
-          fmt::format("'{}' and '{}' mean different problems by the label '{}'; give the problems of one of the "
-                      "studies another label",
-                      same->store, directory, named.label));
-    refuse_other_files(*same, named);
-    if (!same->best_known) same->best_known = named.best_known;
-    for (const auto& [key, value] : named.details.table())
-      if (!same->details.find(key)) same->details.set(key, value);
-  }
-
-  // Manifests of older builds don't say what the files held.
-  static void refuse_other_files(NamedProblem& first, const NamedProblem& other) {
-    if (first.fingerprint.empty()) first.fingerprint = other.fingerprint;
-    if (!other.fingerprint.empty() && other.fingerprint != first.fingerprint)
-      throw InputError(
-          fmt::format("'{}' and '{}' are of different files by the names that problem '{}' gives them; their figures "
-                      "don't compare: run one of the studies again, or report them apart",
-                      first.store, other.store, first.label));
-  }
-
-  void add_optimizer(const Value& optimizer) {
-    const RowRequest row{optimizer.text_or("label", ""), optimizer.text_or("use", ""),
-                         optimizer.flag_or("baseline", false), optimizer.flag_or("deterministic", false)};
-    const auto same = std::ranges::find(optimizers, row.label, &RowRequest::label);
-    if (same == optimizers.end()) {
-      optimizers.push_back(row);
-    } else if (same->use != row.use) {
-      warnings.push_back(
-          fmt::format("the label '{}' means '{}' in one store and '{}' in another", row.label, same->use, row.use));
-    }
-  }
-
-  void add_records(const Store& store) {
-    std::unordered_set<std::string> wanted;
-    for (const Value& key : list_of(store.manifest(), "keys")) wanted.insert(key.text());
-    std::size_t others = 0;
-    for (const TrialRecord& record : store.records()) {
-      if (!wanted.empty() && !wanted.contains(record.key)) {
-        ++others;
-      } else if (keys_.insert(record.key).second) {
-        records.push_back(record);
-      }
-    }
-    if (others > 0)
-      warnings.push_back(
-          fmt::format("{} stored trials in '{}' are not shown: the study, as it was last run, doesn't ask for them",
-                      others, store.directory().string()));
-  }
-
-  std::set<std::string> identities_, keys_;
 };
 
 // relative error / quality, when all records of a problem agree on it to rounding. With a prior the two are of
@@ -244,9 +181,7 @@ void leave_out_untried(std::vector<ProblemReport>& problems, std::vector<std::st
 }  // namespace
 
 ReportData collect(std::span<const Store> stores, const Registry& registry) {
-  Collection all;
-  for (const Store& store : stores) all.add(store);
-  all.add_unnamed();
+  Collection all(merge_stores(stores));
   ReportData data;
   data.study_name = all.study_name;
   data.study_text = all.study_text;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "table_notes.h"
 
+#include <algorithm>
 #include <array>
 #include <optional>
 
@@ -75,7 +76,7 @@ std::optional<std::string> floor_note(const ProblemReport& problem) {
       if (found == row.findings.end() || !row.relative_error || row.relative_error->median >= found->second.median)
         continue;
       below.push_back(row.label);
-      floor = found->second.median;
+      floor = std::max(floor, found->second.median);
     }
     if (!below.empty())
       return fmt::format(
@@ -121,8 +122,8 @@ void add_scrutiny(const Scrutiny& scrutiny, std::vector<std::string>& notes) {
   add(count_note(scrutiny));
   if (notes.size() > before) notes.emplace_back("The table has what the meter saw, whatever is claimed.");
   for (const Alias& alias : scrutiny.aliases)
-    notes.push_back(fmt::format("{} and {} are one: the same points, evaluation by evaluation, in {}.", alias.first,
-                                alias.second,
+    notes.push_back(fmt::format("{} and {} are one: they found the same qualities at the same evaluations, in {}.",
+                                alias.first, alias.second,
                                 alias.repeats == 1 ? "the repeat that both have"
                                                    : fmt::format("all {} repeats that both have", alias.repeats)));
 }

@@ -88,6 +88,8 @@ void require_manifest(const Value& manifest, const std::string& path) {
   const Checked top(manifest, "", path);
   top.with("study", [](const Checked& study) {
     study.require(&Value::is_table, "a table").texts({"name", "file", "directory", "text"});
+    study.each_table("included", [](const Checked& file) { file.texts({"file", "text"}); });
+    study.each("settings", [](const Checked& setting) { setting.require(&Value::is_text, "a text"); });
   });
   top.each_table("problems", check_problem);
   top.each_table("optimizers", [](const Checked& optimizer) {

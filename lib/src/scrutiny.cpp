@@ -43,11 +43,11 @@ void look_at(const TrialRecord& trial, ClaimsSeen& found) {
   if (worse && claim.x_equals_best == false) ++found.other_points;
 }
 
-bool stopped_by_the_clock(const TrialRecord& trial) { return trial.end == End::budget; }
+bool stopped_by_its_budget(const TrialRecord& trial) { return trial.end == End::budget; }
 
 bool same_until(const TrialRecord& shorter, const TrialRecord& longer) {
   const std::int64_t end = shorter.counts.evaluations;
-  if (end != longer.counts.evaluations && !stopped_by_the_clock(shorter)) return false;
+  if (end != longer.counts.evaluations && !stopped_by_its_budget(shorter)) return false;
   const auto later = [end](const TracePoint& point) { return point.evaluation > end; };
   const auto stop = std::ranges::find_if(longer.trace, later);
   return std::equal(

@@ -46,8 +46,9 @@ inline constexpr double kSameClaim = 1e-9;
 
 /// Two entries of which every repeat that both have did the same: the qualities of their traces are equal to the last
 /// bit, and so are the evaluations at which they were found, as far as both went. Where one went further, it must be
-/// because the clock stopped the other. Repeats that found less than kLeastOfATrace better points tell nothing: methods
-/// that find nothing are all alike. (Entries that draw random numbers have streams of their own, and are never alike.)
+/// because its budget stopped the other. Repeats that found less than kLeastOfATrace better points tell nothing:
+/// methods that find nothing are all alike. (Entries that draw random numbers have streams of their own, and are never
+/// alike.)
 struct Alias {
   std::string first, second;  ///< labels
   std::size_t repeats = 0;    ///< that both have

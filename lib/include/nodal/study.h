@@ -77,7 +77,9 @@ struct Study {
   std::string text;  ///< the file as it was read
   std::filesystem::path path;
   std::vector<IncludedFile> included = {};  ///< what it is joined with, in the order of reading
-  std::vector<std::string> settings = {};   ///< what the command line set in it: StudyOverrides::set
+  /// What the command line set in it, seed, repeats and budget as well: with these as StudyOverrides::set the text has
+  /// the same trials.
+  std::vector<std::string> settings = {};
 };
 
 /// What a command line may change of a study.
@@ -89,6 +91,8 @@ struct StudyOverrides {
   std::vector<std::string> only;                ///< labels, or a `use` that one entry has; several separated by commas
   std::vector<std::string> only_problems = {};  ///< their labels
   std::vector<std::string> set = {};  ///< "problem.material.poisson=0.2": any key, after what is included; see --set
+  /// Texts of what the study includes, in the order of reading, instead of the files: those that a store has.
+  std::optional<std::vector<IncludedFile>> included = {};
   /// Where a study of this name keeps what takes long to make (result_cache.h); nowhere without it.
   std::function<std::filesystem::path(const std::string& study)> cache = {};
 };
@@ -102,6 +106,11 @@ struct StudyOverrides {
 /// The same from a text; `path` is for messages and relative files.
 [[nodiscard]] Study parse_study(std::string_view text, const std::filesystem::path& path, const Registry& registry,
                                 const StudyOverrides& overrides = {});
+
+/// The tables that a study comes to before anything is made of them: with what it includes and what is set, a problem
+/// with ranges as one for each combination. For those who look before they let a study be read. InputError.
+[[nodiscard]] Value study_tables(std::string_view text, const std::filesystem::path& path,
+                                 const StudyOverrides& overrides = {});
 
 /// The keys of [study], [budget], [problem] and [[optimizer]] that the study itself knows, for the config reference.
 [[nodiscard]] OptionSchema study_schema();

@@ -38,7 +38,8 @@ History attainment_surface(std::span<const History> histories, double share) {
 
   // The k-th best of the histories' qualities, as they fall one by one.
   constexpr double kRounding = 1e-9;  // 0.3 · 10 is 3 histories, not 4
-  const auto k = static_cast<std::size_t>(std::ceil(share * static_cast<double>(histories.size()) - kRounding)) - 1;
+  const double least = std::max(1.0, std::ceil(share * static_cast<double>(histories.size()) - kRounding));
+  const auto k = static_cast<std::size_t>(least) - 1;
   std::vector<std::size_t> next(histories.size(), 0);
   std::vector<double> now(histories.size(), kNever), sorted;
   History surface;
@@ -57,9 +58,9 @@ History attainment_surface(std::span<const History> histories, double share) {
 double area_over_convergence(const History& gaps, const AnytimeLimits& limits) {
   if (!(0.0 < limits.from && limits.from < limits.to && 0.0 < limits.smallest && limits.smallest < limits.largest))
     throw std::invalid_argument("statistics: limits of an area must be positive and in order");
-  const double decades = std::log(limits.largest / limits.smallest);
+  const double whole = std::log(limits.largest / limits.smallest);
   const auto height = [&](double gap) {
-    return gap > 0.0 ? std::clamp(std::log(gap / limits.smallest) / decades, 0.0, 1.0) : 0.0;
+    return gap > 0.0 ? std::clamp(std::log(gap / limits.smallest) / whole, 0.0, 1.0) : 0.0;
   };
   double under = 0.0, from = limits.from, gap = quality_at(gaps, limits.from);
   for (const BestSoFar& point : gaps) {

@@ -46,11 +46,19 @@ void join(Value& below, Value over) {
 
 bool has_entries(const Value& value) { return value.is_list() && !value.list().empty() && value.list()[0].is_table(); }
 
+// A best known quality is of the problem as the included file has it.
+void forget_best_known(Value& below, const Value& over) {
+  const auto changes = [](const auto& entry) { return entry.first != "label" && entry.first != "best_known"; };
+  if (below.is_table() && over.is_table() && std::ranges::any_of(over.table(), changes))
+    std::erase_if(below.table(), [](const auto& entry) { return entry.first == "best_known"; });
+}
+
 // The same of whole studies, whose lists of tables are entries and add up.
 Value joined(Value below, Value over) {
   for (auto& [key, value] : over.table()) {
     const auto there = std::ranges::find(below.table(), key, &Value::Table::value_type::first);
     if (there == below.table().end()) continue;
+    if (key == "problem") forget_best_known(there->second, value);
     if (!has_entries(value) && !has_entries(there->second)) continue;
     const Source source = value.source;
     Value::List all = as_list(std::move(there->second));
@@ -64,7 +72,8 @@ Value joined(Value below, Value over) {
 
 class Including {
  public:
-  explicit Including(std::vector<IncludedFile>& included) : included_(included) {}
+  Including(const std::optional<std::vector<IncludedFile>>& stored, std::vector<IncludedFile>& included)
+      : stored_(stored), included_(included) {}
 
   Value resolve(Value root, const fs::path& path) {
     const Value* given = root.find(kInclude);
@@ -90,25 +99,34 @@ class Including {
       throw InputError(name.source, fmt::format("'{}' includes itself", shown(path.string())));
     if (way_.size() > kMostIncludes)
       throw InputError(name.source, fmt::format("includes lie more than {} deep", kMostIncludes));
-    std::string text;
-    try {
-      text = read_file(path, "included file");
-    } catch (const InputError& error) {
-      throw InputError(name.source, error.what());
-    }
+    std::string text = text_of(path, name);
     Value root = parse_toml(text, path.string());
     included_.push_back({path, std::move(text)});
     return resolve(std::move(root), path);
   }
 
+  std::string text_of(const fs::path& path, const Value& name) const {
+    if (stored_) {
+      if (included_.size() < stored_->size()) return (*stored_)[included_.size()].text;
+      throw InputError(name.source, fmt::format("'{}' is not stored", shown(path.string())));
+    }
+    try {
+      return read_file(path, "included file");
+    } catch (const InputError& error) {
+      throw InputError(name.source, error.what());
+    }
+  }
+
+  const std::optional<std::vector<IncludedFile>>& stored_;
   std::vector<IncludedFile>& included_;
   std::vector<fs::path> way_;  // from the study to the file being read
 };
 
 }  // namespace
 
-Value with_includes(Value root, const fs::path& path, std::vector<IncludedFile>& included) {
-  return Including(included).resolve(std::move(root), path);
+Value with_includes(Value root, const fs::path& path, const std::optional<std::vector<IncludedFile>>& stored,
+                    std::vector<IncludedFile>& included) {
+  return Including(stored, included).resolve(std::move(root), path);
 }
 
 }  // namespace nodal

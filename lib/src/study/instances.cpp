@@ -41,8 +41,10 @@ void refuse_others(const Value& range, std::initializer_list<std::string_view> k
 std::int64_t whole_number(const Value& range, std::string_view key, std::int64_t otherwise, std::int64_t least) {
   const Value* value = range.find(key);
   if (!value) return otherwise;
-  if (!value->is_integer() || value->integer() < least || value->integer() > (std::int64_t{1} << 53))
-    throw InputError(value->source, fmt::format("'{}' of a range must be a whole number of at least {}", key, least));
+  constexpr std::int64_t kMost = std::int64_t{1} << 53;
+  if (!value->is_integer() || value->integer() < least || value->integer() > kMost)
+    throw InputError(value->source,
+                     fmt::format("'{}' of a range must be a whole number from {} to {}", key, least, kMost));
   return value->integer();
 }
 
@@ -66,7 +68,7 @@ std::vector<Value> values_of(const Value& range) {
 }
 
 void find_ranges(const Value& value, std::vector<Step>& path, std::vector<Range>& found) {
-  if (is_range(value)) {
+  if (!path.empty() && is_range(value)) {
     if (path.size() == 1 && std::ranges::find(kOfOne, path[0].key) != kOfOne.end())
       throw InputError(value.source, fmt::format("'{}' can't be a range", path[0].key));
     if (path[0].key == "best_known")
@@ -116,11 +118,12 @@ std::vector<std::string> names_of(const std::vector<Range>& ranges) {
   return names;
 }
 
-// Values that are no single word are counted.
+// Values that are no short word are counted.
 std::string text_of(const Range& range, std::size_t k) {
+  constexpr std::size_t kLongWord = 24;
   const Value& value = range.values[k];
-  if (value.is_text()) return value.text();
-  return value.is_table() || value.is_list() ? fmt::format("#{}", k + 1) : to_json(value);
+  if (value.is_text() && value.text().size() <= kLongWord) return value.text();
+  return value.is_text() || value.is_table() || value.is_list() ? fmt::format("#{}", k + 1) : to_json(value);
 }
 
 }  // namespace
@@ -130,6 +133,10 @@ std::vector<Value> instances(const Value& entry, const std::string& name) {
   std::vector<Step> path;
   find_ranges(entry, path, ranges);
   if (ranges.empty()) return {entry};
+  if (const Value* known = entry.find("best_known"))
+    throw InputError(known->source,
+                     "'best_known' is of one problem, and the ranges beside it make several; leave it out, "
+                     "or give each a [[problem]] of its own");
   std::size_t count = 1;
   for (const Range& range : ranges) {
     count *= range.values.size();

@@ -2,6 +2,7 @@
 #include "study/settings.h"
 
 #include <algorithm>
+#include <set>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -28,15 +29,26 @@ bool is_word(std::string_view text) {
   });
 }
 
+// ".5", "1.", "007": words of which nobody would think that they are texts.
+bool starts_like_a_number(std::string_view text) {
+  const auto digit = [&](std::size_t i) { return i < text.size() && text[i] >= '0' && text[i] <= '9'; };
+  const std::size_t sign = !text.empty() && (text[0] == '-' || text[0] == '+') ? 1 : 0;
+  return digit(sign) || (sign < text.size() && text[sign] == '.' && digit(sign + 1));
+}
+
 Value value_of(std::string_view text, const Source& source) {
   Value value;
   try {
-    value = parse_toml(fmt::format("value = {}", text), source.file).at("value");
+    const Value parsed = parse_toml(fmt::format("value = {}", text), source.file);
+    if (parsed.table().size() != 1) throw InputError(source, "sets more than one key; give each a --set of its own");
+    value = parsed.at("value");
   } catch (const InputError&) {
-    if (!is_word(text))
-      throw InputError(source, fmt::format("'{}' is no TOML value; texts with blanks or other signs need quotes within "
-                                           "those of the shell, as --set 'study.name=\"a b\"'",
-                                           shown(text)));
+    if (!is_word(text) || starts_like_a_number(text))
+      throw InputError(source,
+                       fmt::format("'{}' is no TOML value; numbers begin and end with a digit, as 0.5, and texts with "
+                                   "blanks or other signs need quotes within those of the shell, as --set "
+                                   "'study.name=\"a b\"'",
+                                   shown(text)));
     value = Value(text);
   }
   value.source = source;
@@ -105,7 +117,12 @@ std::string name_of(const Value& entry) {
   return {};
 }
 
-void apply(Value& root, const Setting& setting) {
+// Which problems were given another value, and which another best known quality.
+struct Changed {
+  std::set<std::size_t> problems, best_known;
+};
+
+void apply(Value& root, const Setting& setting, Changed& changed) {
   if (!root.find(setting.entry)) {
     Value made;
     made.source = setting.source;
@@ -119,21 +136,33 @@ void apply(Value& root, const Setting& setting) {
     entries.push_back(&found);
   std::vector<std::string> names;
   bool any = false;
-  for (Value* entry : entries) {
-    names.push_back(name_of(*entry));
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    names.push_back(name_of(*entries[i]));
     if (!setting.label.empty() && names.back() != setting.label) continue;
-    set(*entry, setting);
+    set(*entries[i], setting);
     any = true;
+    if (setting.entry == "problem" && setting.keys.front() != "label")
+      (setting.keys.front() == "best_known" ? changed.best_known : changed.problems).insert(i);
   }
   if (!any)
     throw InputError(setting.source, fmt::format("no [[{}]] of the study is labelled '{}'{}", setting.entry,
                                                  shown(setting.label), name_hint(setting.label, names)));
 }
 
+// It was of the problem as it was.
+void forget_best_known(Value& problem) {
+  std::erase_if(problem.table(), [](const auto& entry) { return entry.first == "best_known"; });
+}
+
 }  // namespace
 
 void apply_settings(Value& root, const std::vector<std::string>& settings) {
-  for (const std::string& text : settings) apply(root, read(text));
+  Changed changed;
+  for (const std::string& text : settings) apply(root, read(text), changed);
+  const auto found = std::ranges::find(root.table(), "problem", &Value::Table::value_type::first);
+  for (const std::size_t i : changed.problems)
+    if (!changed.best_known.contains(i))
+      forget_best_known(found->second.is_list() ? found->second.list()[i] : found->second);
 }
 
 }  // namespace nodal

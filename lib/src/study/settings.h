@@ -4,7 +4,8 @@
 /// What a command line sets in a study: `problem.material.poisson=0.2`.
 ///
 /// Keys are parted by dots; the value is TOML, and a plain word need not be quoted. `problem.` and `optimizer.` mean
-/// every entry, `problem[LABEL].` and `optimizer[LABEL].` the one with that label, kind or `use`.
+/// every entry, `problem[LABEL].` and `optimizer[LABEL].` the one with that label, kind or `use`. A problem of which a
+/// key is set loses its `best_known`, unless that is set as well: it was of another one.
 
 #include <string>
 #include <vector>

@@ -33,6 +33,44 @@ std::vector<std::string> names_of(const Items& items, std::string Items::value_t
 
 constexpr std::size_t kMostOfALabel = 100, kMostOfAnOrigin = 1000;  // [characters]
 
+// All that a command line changes of what is run, as settings: whoever applies them to the text has the same trials.
+std::vector<std::string> settings_of(const StudyOverrides& overrides) {
+  std::vector<std::string> settings = overrides.set;
+  const auto add = [&settings](const char* key, const Value& value) {
+    settings.push_back(fmt::format("{}={}", key, to_json(value)));
+  };
+  if (overrides.seconds) add("budget.seconds", Value(*overrides.seconds));
+  if (overrides.evaluations) add("budget.evaluations", Value(*overrides.evaluations));
+  if (overrides.seed) add("study.seed", Value(*overrides.seed));
+  if (overrides.repeats) add("study.repeats", Value(*overrides.repeats));
+  return settings;
+}
+
+// A problem with ranges becomes several.
+void spread_problems(Value& root) {
+  const auto found = std::ranges::find(root.table(), "problem", &Value::Table::value_type::first);
+  if (found == root.table().end()) return;
+  Value& problems = found->second;
+  Value::List given = problems.is_list() ? problems.list() : Value::List{problems}, spread;
+  for (const Value& entry : given)
+    if (entry.is_table())
+      for (Value& one : instances(entry, entry.text_or("kind", "problem"))) spread.push_back(std::move(one));
+    else
+      spread.push_back(entry);
+  if (spread.size() == given.size() && !problems.is_list()) return;
+  const Source source = problems.source;
+  problems = Value(std::move(spread));
+  problems.source = source;
+}
+
+Value tables_of(std::string_view text, const std::filesystem::path& path, const StudyOverrides& overrides,
+                std::vector<IncludedFile>& included) {
+  Value root = with_includes(parse_toml(text, path.string()), path, overrides.included, included);
+  apply_settings(root, overrides.set);
+  spread_problems(root);
+  return root;
+}
+
 // Reads one study; members are filled in the order of `read`.
 class StudyReader {
  public:
@@ -41,20 +79,18 @@ class StudyReader {
       : file_(path.string()), registry_(registry), overrides_(overrides) {
     study_.text = std::string(text);
     study_.path = path;
-    study_.settings = overrides.set;
-    root_ = with_includes(parse_toml(text, file_), path, study_.included);
-    apply_settings(root_, overrides.set);
+    study_.settings = settings_of(overrides);
+    root_ = tables_of(text, path, overrides, study_.included);
   }
 
   Study read() {
     refuse_unknown_tables();
     read_study_table();
     read_budget();
-    for (const Value* entry : entries("problem", true))
-      for (const Value& one : instances(*entry, entry->text_or("kind", "problem"))) read_problem(one);
+    for (const Value* entry : entries("problem", true)) read_problem(*entry);
+    keep_only_problems();
     read_optimizers();
     keep_only();
-    keep_only_problems();
     check_needs();
     check_target();
     check_stop();
@@ -206,7 +242,8 @@ class StudyReader {
     }
   }
 
-  // What a pattern means and no problem can serve is left out; what was asked for by name is refused, by check_needs.
+  // What a pattern means and some problem can't serve is left out; what was asked for by name is refused, by
+  // check_needs.
   void read_optimizer(const Value& entry, bool by_pattern) {
     const Options options = resolve_options(optimizer_entry_schema(), without_options(entry), "[[optimizer]]");
     StudyOptimizer optimizer;
@@ -222,13 +259,17 @@ class StudyReader {
       leave_out(optimizer, options.at("use").source);
       return;
     }
+    optimizer.multi_start = options.boolean("multi_start");
+    if (const std::string refusal = by_pattern ? unfit(optimizer) : ""; !refusal.empty()) {
+      study_.left_out.push_back({optimizer.label, optimizer.use, refusal});
+      return;
+    }
     Value own;
     own.source = entry.source;
     if (const Value* given = entry.find("options")) own = *given;
     optimizer.options =
         resolve_options(description->options, own, fmt::format("optimizer '{}'", shown(optimizer.label)));
     optimizer.baseline = options.boolean("baseline");
-    optimizer.multi_start = options.boolean("multi_start");
     optimizer.deterministic = description->deterministic && !optimizer.multi_start;
     if (optimizer.multi_start && !description->uses_start)
       throw InputError(options.at("multi_start").source,
@@ -237,11 +278,7 @@ class StudyReader {
     if (optimizer.baseline && std::ranges::any_of(study_.optimizers, &StudyOptimizer::baseline))
       throw InputError(options.at("baseline").source,
                        fmt::format("optimizer '{}' is a second baseline; only one can be", shown(optimizer.label)));
-    const std::string refusal = by_pattern ? unfit(optimizer) : "";
-    if (refusal.empty())
-      study_.optimizers.push_back(std::move(optimizer));
-    else
-      study_.left_out.push_back({optimizer.label, optimizer.use, refusal});
+    study_.optimizers.push_back(std::move(optimizer));
   }
 
   // `options` belongs to the method, whose schema is not known yet.
@@ -282,11 +319,16 @@ class StudyReader {
     require_short(entry.find("label"), "label", table, kMostOfALabel);
     const auto found = std::ranges::find(taken, label, &Labels::value_type::first);
     if (found != taken.end())
-      throw InputError(
-          entry.source,
-          fmt::format("two {} have the label '{}' (the other is on line {}); give one a 'label' of its own", what,
-                      shown(label), found->second.line));
+      throw InputError(entry.source, fmt::format("two {} have the label '{}' ({}); give one a 'label' of its own", what,
+                                                 shown(label), where(found->second, entry.source)));
     taken.emplace_back(label, entry.source);
+  }
+
+  // Of two with one label the other.
+  static std::string where(const Source& other, const Source& here) {
+    if (other.file != here.file) return "the other: " + other.text();
+    if (other.line != here.line) return fmt::format("the other is on line {}", other.line);
+    return "both of one entry: values of a range that are the same, or patterns that overlap";
   }
 
   void keep_only() {
@@ -313,10 +355,12 @@ class StudyReader {
       problem.skipped = std::ranges::find(overrides_.only_problems, problem.label) == overrides_.only_problems.end();
   }
 
-  // Why a method can't run on some problem of the study; empty where it can on all.
+  // Why a method can't run, by itself or on some problem of the study; empty where it can on all.
   std::string unfit(const StudyOptimizer& optimizer) const {
     const OptimizerDescription& description = *registry_.find_optimizer(optimizer.use);
+    if (optimizer.multi_start && !description.uses_start) return "looks at no start, and 'multi_start' gives it many";
     for (const StudyProblem& problem : study_.problems) {
+      if (problem.skipped) continue;
       const std::vector<std::string> missing = problem.problem->abilities().missing(description.needs);
       if (!missing.empty())
         return fmt::format("needs {}, which problem '{}' can't give", fmt::join(missing, " and "),
@@ -364,6 +408,11 @@ class StudyReader {
 };
 
 }  // namespace
+
+Value study_tables(std::string_view text, const std::filesystem::path& path, const StudyOverrides& overrides) {
+  std::vector<IncludedFile> included;
+  return tables_of(text, path, overrides, included);
+}
 
 Study parse_study(std::string_view text, const std::filesystem::path& path, const Registry& registry,
                   const StudyOverrides& overrides) {

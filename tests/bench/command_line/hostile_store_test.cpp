@@ -106,6 +106,14 @@ TEST_F(HostileStore, IsDrawnFromRegularFilesBelowTheStudyOnly) {
   EXPECT_FALSE(contains(page(), "secret"));
 }
 
+// Includes are those that the store holds, and no file: one that it lacks is not looked for.
+TEST_F(HostileStore, IncludesNoFile) {
+  folder_.write("mine.toml", "secret = \"of mine\"\n");
+  const Output output = report_of_text("include = \"mine.toml\"\n[problem]\nkind = \"elastic\"\n");
+  expect_no_picture(output, "'mine.toml' is not stored");
+  EXPECT_FALSE(contains(output.err, "secret")) << output.err;
+}
+
 // What stands where its report goes is replaced if it is a link, never followed, and refused if it is a pipe, without
 // waiting for whoever reads from it.
 TEST_F(HostileStore, IsNotWrittenThrough) {

@@ -243,7 +243,7 @@ TEST(ConsoleTable, NamesWhoClaimsWhatTheMeterDidNotSee) {
         "repeat 7).\n",
         "annealing claims a cost of 2 though it had been at 0.75 (1 of 15 trials; repeat 4).\n",
         "Evaluations that methods claim (and the meter's): random-search 900 (1000).\n",
-        "annealing and my annealing are one: the same points, evaluation by evaluation, in all 3 repeats",
+        "annealing and my annealing are one: they found the same qualities at the same evaluations, in all 3 repeats",
         "The table has what the meter saw"})
     EXPECT_NE(text.find(note), std::string::npos) << note << "\n" << text;
 }

@@ -41,6 +41,7 @@ TEST(Anytime, SurfacesAreKthBestQualities) {
   expect_surface(1.0 / 3.0, {{1.0, 6.0}, {2.0, 4.0}, {4.0, 2.0}, {8.0, 1.0}});
   expect_surface(2.0 / 3.0, {{1.0, 8.0}, {2.0, 6.0}, {4.0, 4.0}, {8.0, 2.0}});
   expect_surface(1.0, {{2.0, 8.0}, {4.0, 6.0}});
+  EXPECT_EQ(attainment_surface(kThree, 1e-12).size(), 4u);
   EXPECT_TRUE(attainment_surface({}, 0.5).empty());
   EXPECT_TRUE(attainment_surface(std::vector<History>(2), 0.5).empty());
   EXPECT_THROW((void)attainment_surface(kThree, 0.0), std::invalid_argument);

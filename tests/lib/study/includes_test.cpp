@@ -50,6 +50,14 @@ TEST_F(Includes, AStudyHasTheLastWord) {
   EXPECT_EQ(study.text.substr(0, 7), "include");
 }
 
+TEST_F(Includes, OfAnotherProblemHaveNotItsBestKnownQuality) {
+  write("common.toml", "[problem]\nkind = \"bare\"\nbest_known = { quality = 3, origin = \"file\" }\n");
+  write("study.toml", "include = \"common.toml\"\n[problem]\nlabel = \"x\"\n");
+  EXPECT_TRUE(read().problems[0].best_known);
+  write("study.toml", "include = \"common.toml\"\n[problem]\nkind = \"bare\"\n");
+  EXPECT_FALSE(read().problems[0].best_known);
+}
+
 TEST_F(Includes, LieBesideTheFileThatSaysThem) {
   write("parts/more/budget.toml", "[budget]\nevaluations = 9\n");
   write("parts/common.toml", "include = [\"more/budget.toml\"]\n[problem]\nkind = \"bowl\"\n");

@@ -48,17 +48,39 @@ TEST(Instances, WhatIsNoRangeIsRefused) {
   EXPECT_NE(refusal("size = { grid = [] }\n").find("s.toml:3: 'grid' must list"), std::string::npos);
   EXPECT_NE(refusal("size = { grid = 3 }\n").find("'grid' must list"), std::string::npos);
   EXPECT_NE(refusal("size = { grid = [1], step = 3 }\n").find("'step' stands beside a range"), std::string::npos);
-  EXPECT_NE(refusal("size = { count = 0 }\n").find("whole number of at least 1"), std::string::npos);
+  EXPECT_NE(refusal("size = { count = 0 }\n").find("whole number from 1 to"), std::string::npos);
   EXPECT_NE(refusal("size = { count = 1e3 }\n").find("whole number"), std::string::npos);
   EXPECT_NE(refusal("size = { count = 100000000 }\n").find("too long"), std::string::npos);
   EXPECT_NE(refusal("label = { grid = [\"a\"] }\n").find("can't be a range"), std::string::npos);
   EXPECT_NE(refusal("best_known = { quality = { grid = [1, 2] }, origin = \"x\" }\n").find("of one problem"),
             std::string::npos);
+  EXPECT_NE(refusal("size = { count = 2 }\nbest_known = { quality = 1, origin = \"x\" }\n").find("ranges beside it"),
+            std::string::npos);
+  // No ranges: keys that nobody knows.
+  EXPECT_NE(refusal("count = 3\n").find("s.toml:3: unknown"), std::string::npos) << refusal("count = 3\n");
+  EXPECT_NE(refusal("grid = [1]\n").find("s.toml:3: unknown"), std::string::npos) << refusal("grid = [1]\n");
   EXPECT_NE(refusal("size = { count = 100 }\neven = { count = 100 }\n").find("more than 1000 combinations"),
             std::string::npos);
 }
 
 // A value of a range is checked as any other, and where it stands.
+TEST(Instances, OfEqualValuesAreRefusedForWhatTheyAre) {
+  EXPECT_NE(refusal("size = { grid = [2, 2] }\n").find("both of one entry: values of a range that are the same"),
+            std::string::npos);
+}
+
+TEST(Instances, LongWordsAreCountedInLabels) {
+  const Study study = toy::study(
+      "[problem]\nkind = \"bowl\"\nsize = 2\n[[optimizer]]\nuse = \"halving\"\n"
+      "options = { factor = { grid = [0.25] } }\n");
+  EXPECT_EQ(study.optimizers[0].label, "halving factor=0.25");
+  const std::string word(90, 'a');
+  EXPECT_NE(toy::message_of([&] {
+              (void)toy::study("[problem]\nkind = \"bowl\"\nsize = { grid = [\"" + word + "\"] }\n");
+            }).find("size=#1"),
+            std::string::npos);
+}
+
 TEST(Instances, ValuesOfARangeAreChecked) {
   EXPECT_NE(refusal("size = { grid = [2,\n 400] }\n").find("s.toml:4: "), std::string::npos)
       << refusal("size = { grid = [2,\n 400] }\n");

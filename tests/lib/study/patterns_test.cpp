@@ -37,6 +37,21 @@ TEST(Patterns, LeaveOutWhatAProblemCantServe) {
   EXPECT_EQ(study.left_out[0].reason, "needs gradient and residuals, which problem 'bare' can't give");
 }
 
+TEST(Patterns, LeaveOutWhatLooksAtNoStartUnderMultiStart) {
+  const Study study = race("[[optimizer]]\nuse = \"[hw]a*\"\nmulti_start = true\n");
+  EXPECT_EQ(labels(study), (std::vector<std::string>{"halving", "hanging"}));
+  ASSERT_EQ(study.left_out.size(), 2u);
+  EXPECT_NE(study.left_out[0].reason.find("looks at no start"), std::string::npos);
+}
+
+TEST(Patterns, LookAtTheProblemsAskedForOnly) {
+  StudyOverrides overrides;
+  overrides.only_problems = {"bowl"};
+  const Study study = toy::study(
+      "[[problem]]\nkind = \"bowl\"\n[[problem]]\nkind = \"bare\"\n[[optimizer]]\nuse = \"newt*\"\n", overrides);
+  EXPECT_EQ(labels(study), (std::vector<std::string>{"newton"}));
+}
+
 TEST(Patterns, OfAbsentMethodsSayWhy) {
   const Study study = race("[[optimizer]]\nuse = \"nlopt-*\"\n[[optimizer]]\nuse = \"halving\"\n");
   EXPECT_EQ(labels(study), (std::vector<std::string>{"halving"}));

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include <nodal/trial.h>
+
 #include "../../support/messages.h"
 #include "../toy_study.h"
 
@@ -46,6 +48,38 @@ TEST(Settings, MayBeRanges) {
   const Study study = with({"problem.size={ grid = [2, 4] }"}, "[problem]\nkind = \"bowl\"\n");
   ASSERT_EQ(study.problems.size(), 2u);
   EXPECT_EQ(study.problems[1].label, "bowl size=4");
+}
+
+TEST(Settings, HaveAllThatTheCommandLineChanged) {
+  StudyOverrides overrides;
+  overrides.set = {"problem.size=4"};
+  overrides.seconds = 0.25;
+  overrides.evaluations = 70;
+  overrides.seed = 9;
+  overrides.repeats = 2;
+  const Study changed = toy::study(kTwo, overrides);
+  const Study again = with(changed.settings);
+  const std::vector<Trial> trials = all_trials(changed);
+  ASSERT_EQ(all_trials(again).size(), trials.size());
+  for (const Trial& trial : trials) EXPECT_EQ(trial_key(changed, trial), trial_key(again, trial));
+}
+
+// A best known quality is of the problem as it stands in the file.
+TEST(Settings, OfAProblemForgetItsBestKnownQuality) {
+  constexpr const char* known = "[problem]\nkind = \"bare\"\nbest_known = { quality = 3, origin = \"file\" }\n";
+  EXPECT_EQ(with({"problem.label=x"}, known).problems[0].best_known->origin, "file");
+  constexpr const char* sized =
+      "[problem]\nkind = \"bowl\"\nsize = 2\nbest_known = { quality = 3, origin = \"file\" }\n";
+  EXPECT_EQ(with({}, sized).problems[0].best_known->origin, "file");
+  EXPECT_NE(with({"problem.size=4"}, sized).problems[0].best_known->origin, "file");
+  EXPECT_EQ(with({"problem.best_known.quality=5", "problem.size=4"}, sized).problems[0].best_known->quality, 5.0);
+}
+
+TEST(Settings, AreOneKeyAndNumbersAreNumbers) {
+  EXPECT_NE(refusal("study.seed=3\nrepeats=1").find("--set"), std::string::npos);
+  for (const char* number : {".5", "1.", "007", "-.5"})
+    EXPECT_NE(refusal(std::string("study.name=") + number).find("begin and end with a digit"), std::string::npos)
+        << number;
 }
 
 TEST(Settings, WrongOnesAreNamed) {

@@ -67,14 +67,14 @@ class Converging {
   bool round(double spacing) {
     MeshFamily family(make_(spacing), wanted_);
     solve(family);
-    if (family.borne() > settings_.borne_limit) return keep_borne(family);
+    if (result_.loads.empty() && family.borne() > settings_.borne_limit) return keep_borne(family);
     const auto children = static_cast<double>(children_per_cell(family.mesh().dimension));
     std::vector<LoadResult> loads;
     bool promising = true;
     while (family.solved() < 3 && promising && !needs_too_much(family, children)) {
       if (!refine(family)) break;
       loads = family.results(settings_);
-      if (error_of(loads) <= settings_.tolerance && (family.solved() > 2 || !settings_.three_meshes)) break;
+      if (error_of(loads) <= settings_.tolerance && enough(family)) break;
       // With two meshes known the third would divide what they state by about 8: where that isn't enough, finer ones.
       promising = family.solved() > 2 || error_of(loads) <= kExpectedGain * settings_.tolerance ||
                   !can_go_on(family, error_of(loads) / kExpectedGain, children);
@@ -86,6 +86,9 @@ class Converging {
     if (!loads.empty()) keep_better(family, std::move(loads), spacing);
     return !goes_on;
   }
+
+  // A second difference may be asked for before one is believed.
+  bool enough(const MeshFamily& family) const { return family.solved() > 2 || !settings_.three_meshes; }
 
   // False when that is too large, and there is an answer already.
   bool refine(MeshFamily& family) {
@@ -116,7 +119,7 @@ class Converging {
   void keep_better(MeshFamily& family, std::vector<LoadResult> loads, double spacing) {
     if (!result_.loads.empty() && error_of(loads) >= error_of(result_.loads)) return;
     result_.loads = std::move(loads);
-    result_.converged = error_of(result_.loads) <= settings_.tolerance;
+    result_.converged = error_of(result_.loads) <= settings_.tolerance && enough(family);
     if (result_.converged) result_.limit.clear();
     result_.spacing = spacing;
     result_.refinements = family.solved() - 1;

@@ -77,7 +77,8 @@ OptionSchema case_fields() {
       {.name = "tractions",
        .type = OptionType::table_list,
        .default_value = Value(Value::List{}),
-       .help = "what pulls at an edge: at every piece of an outline with both ends selected, by tributary length",
+       .help = "what pulls at an edge: at every piece of an outline with both ends selected, by tributary length and "
+               "thickness",
        .fields = traction_fields()},
       {.name = "body_force",
        .type = OptionType::number_list,

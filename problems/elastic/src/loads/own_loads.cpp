@@ -35,7 +35,9 @@ bool only_on_supports(std::span<const double> forces, const HeldFreedoms& held) 
       fmt::format("nothing pulls or moves in load '{}': give it forces, as forces = [{{ {}, force = [0, -1] }}], {}"
                   "or supports that move, as {{ {}, displacement = [0.1, 0] }}",
                   one.load.name, node,
-                  net.body.has_outline() ? "tractions, as tractions = [{ edge = \"right\", traction = [1, 0] }], " : "",
+                  net.body.has_outline() ? "tractions, as tractions = [{ edge = \"right\", traction = [1, 0] }], a "
+                                           "body_force, as body_force = [0, -1], "
+                                         : "",
                   node));
 }
 

@@ -291,7 +291,8 @@ TEST_F(Brought, CasesThatDoNotFitAreSaidWithTheirPlace) {
       with(held),
       "study.toml:9: nothing pulls or moves in load 'pull': give it forces, as forces = [{ near = [0, 4], force = [0, "
       "-1] }], "
-      "tractions, as tractions = [{ edge = \"right\", traction = [1, 0] }], or supports that move, as { near = [0, 4], "
+      "tractions, as tractions = [{ edge = \"right\", traction = [1, 0] }], a body_force, as body_force = [0, -1], or "
+      "supports that move, as { near = [0, 4], "
       "displacement = [0.1, 0] }");
   EXPECT_EQ(with(held + "forces = [{ near = [0, 4], force = [0, -1] }]\n"), "(nothing was thrown)");  // as advised
   EXPECT_EQ(

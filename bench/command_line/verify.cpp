@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+
+#include <fmt/format.h>
+
+#include <nodal/compare.h>
+#include <nodal/provenance.h>
+#include <nodal/random.h>
+#include <nodal/verify.h>
+
+#include "commands.h"
+#include "console.h"
+#include "stored_study.h"
+
+namespace nodal {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// A store for the trials that run again, gone with it.
+class Scratch {
+ public:
+  Scratch() {
+    std::string name = (fs::temp_directory_path() / "nodal-verify-XXXXXX").string();
+    if (!::mkdtemp(name.data())) throw StoreError(fmt::format("cannot make a directory like '{}'", name));
+    path_ = name;
+  }
+  ~Scratch() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  Scratch(const Scratch&) = delete;
+  Scratch& operator=(const Scratch&) = delete;
+  [[nodiscard]] const fs::path& path() const noexcept { return path_; }
+
+ private:
+  fs::path path_;
+};
+
+// Stored trials of the study, some of them, drawn by the seed.
+std::vector<std::string> sample(const Study& study, const Store& store, const VerifyArguments& arguments) {
+  std::vector<std::string> keys;
+  for (const Trial& trial : all_trials(study))
+    if (std::string key = trial_key(study, trial); store.find(key)) keys.push_back(std::move(key));
+  if (keys.empty())
+    throw InputError(fmt::format("'{}' holds no trial that its study asks for", store.directory().string()));
+  RandomStream random(arguments.seed);
+  for (std::size_t i = 0; i + 1 < keys.size(); ++i) std::swap(keys[i], keys[i + random.index(keys.size() - i)]);
+  keys.resize(std::min(keys.size(), arguments.trials));
+  return keys;
+}
+
+// Where a record comes from this build on this processor, its trial must do the same to the last bit.
+double tolerance_of(const TrialRecord& stored, const Value& here) {
+  const bool same = stored.conditions && stored.conditions->build == build_id(here) &&
+                    stored.conditions->processor == here.at("processor").text();
+  return same ? 0.0 : kAcrossMachines;
+}
+
+std::string name_of(const TrialRecord& record) {
+  return fmt::format("{} on {}, repeat {}", record.optimizer, record.problem, record.repeat);
+}
+
+}  // namespace
+
+int verify_command(const VerifyArguments& arguments, const Registry& registry) {
+  const Store store = Store::open_existing(arguments.directory);
+  const Value* entry = store.manifest().find("study");
+  if (!entry) throw InputError(fmt::format("the manifest of '{}' has no study", arguments.directory));
+  const Study study = read_stored_study(*entry, registry, Cost::any);
+  CompareOptions options;
+  options.keys = sample(study, store, arguments);
+  const Scratch scratch;
+  Store again(scratch.path());
+  (void)compare(study, registry, again, options);
+
+  const Value here = provenance();
+  std::size_t differing = 0, across = 0;
+  for (const std::string& key : *options.keys) {
+    const TrialRecord& stored = *store.find(key);
+    const double tolerance = tolerance_of(stored, here);
+    const SameTrial result = same_trial(stored, *again.find(key), tolerance);
+    across += tolerance > 0.0;
+    differing += !result.difference.empty();
+    std::cout << (result.difference.empty() ? fmt::format("same     {}: {} points until evaluation {}\n",
+                                                          name_of(stored), result.points, result.evaluations)
+                                            : fmt::format("DIFFERS  {}: {}\n", name_of(stored), result.difference));
+  }
+  std::cout << fmt::format(
+      "{} of {} trials do the same again{}\n", options.keys->size() - differing, options.keys->size(),
+      across == 0 ? ", to the last bit"
+                  : fmt::format("; {} of another build or processor, within {:g}", across, kAcrossMachines));
+  return differing > 0 ? kExitTrialFailed : 0;
+}
+
+}  // namespace nodal
