@@ -79,7 +79,6 @@ class StudyReader {
       : file_(path.string()), registry_(registry), overrides_(overrides) {
     study_.text = std::string(text);
     study_.path = path;
-    study_.settings = settings_of(overrides);
     root_ = tables_of(text, path, overrides, study_.included);
   }
 
@@ -94,6 +93,7 @@ class StudyReader {
     check_needs();
     check_target();
     check_stop();
+    study_.settings = settings_of(overrides_);
     return std::move(study_);
   }
 

@@ -2,6 +2,9 @@
 // Stores that become one, and studies that were set or joined when they ran.
 #include <gtest/gtest.h>
 
+#include <sstream>
+#include <utility>
+
 #include <nodal/store.h>
 
 #include "program.h"
@@ -49,13 +52,18 @@ TEST(Verify, RunsTrialsAgainAndComparesThem) {
   EXPECT_EQ(same.exit, 0) << same.out << same.err;
   EXPECT_TRUE(contains(same.out, "4 of 4 trials do the same again, to the last bit")) << same.out;
   EXPECT_TRUE(contains(run(folder, {"verify", "a", "--trials", "1"}).out, "1 of 1 trials")) << same.out;
-  // One digit of one trial.
+  // The last digits of one trial.
   for (const auto& entry : std::filesystem::directory_iterator(folder.path() / "a" / "trials")) {
-    std::string text = read_file(entry.path());
-    const std::size_t at = text.find("\"optimizer\":\"annealing\""), trace = text.find("\"trace\":[[", at);
-    const std::size_t comma = text.find("],[", trace), digit = text.find(']', comma + 3) - 1;
-    text[digit] = text[digit] == '9' ? '8' : static_cast<char>(text[digit] + 1);
-    folder.write("a/trials/" + entry.path().filename().string(), text);
+    std::istringstream lines(read_file(entry.path()));
+    std::string spoiled;
+    bool first = true;
+    for (std::string line; std::getline(lines, line);) {
+      TrialRecord record = parse_record(line, "line");
+      if (record.optimizer == "annealing" && std::exchange(first, false)) record.trace.at(1).quality *= 1.0 + 1e-14;
+      spoiled += to_json_line(record) + "\n";
+    }
+    EXPECT_FALSE(first);
+    folder.write("a/trials/" + entry.path().filename().string(), spoiled);
   }
   const Output differs = run(folder, {"verify", "a"});
   EXPECT_EQ(differs.exit, 1) << differs.out << differs.err;

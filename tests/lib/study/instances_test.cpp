@@ -69,18 +69,6 @@ TEST(Instances, OfEqualValuesAreRefusedForWhatTheyAre) {
             std::string::npos);
 }
 
-TEST(Instances, LongWordsAreCountedInLabels) {
-  const Study study = toy::study(
-      "[problem]\nkind = \"bowl\"\nsize = 2\n[[optimizer]]\nuse = \"halving\"\n"
-      "options = { factor = { grid = [0.25] } }\n");
-  EXPECT_EQ(study.optimizers[0].label, "halving factor=0.25");
-  const std::string word(90, 'a');
-  EXPECT_NE(toy::message_of([&] {
-              (void)toy::study("[problem]\nkind = \"bowl\"\nsize = { grid = [\"" + word + "\"] }\n");
-            }).find("size=#1"),
-            std::string::npos);
-}
-
 TEST(Instances, ValuesOfARangeAreChecked) {
   EXPECT_NE(refusal("size = { grid = [2,\n 400] }\n").find("s.toml:4: "), std::string::npos)
       << refusal("size = { grid = [2,\n 400] }\n");
