@@ -57,9 +57,8 @@ void spread_problems(Value& root) {
       for (Value& one : instances(entry, entry.text_or("kind", "problem"))) spread.push_back(std::move(one));
     else
       spread.push_back(entry);
-  if (spread.size() == given.size() && !problems.is_list()) return;
   const Source source = problems.source;
-  problems = Value(std::move(spread));
+  problems = !problems.is_list() && spread.size() == 1 ? std::move(spread.front()) : Value(std::move(spread));
   problems.source = source;
 }
 

@@ -21,6 +21,13 @@ TEST(Instances, AGridMakesAProblemOfEachValue) {
   EXPECT_EQ(study.problems[2].problem->space().size(), 6u);
 }
 
+TEST(Instances, AGridMayHaveOneValue) {
+  const Study study = toy::study("[problem]\nkind = \"bowl\"\nsize = { grid = [4] }\n");
+  ASSERT_EQ(study.problems.size(), 1u);
+  EXPECT_EQ(study.problems[0].options.integer("size"), 4);
+  EXPECT_EQ(study.problems[0].label, "bowl size=4");
+}
+
 TEST(Instances, RangesCombineAndTheLastVariesFastest) {
   const Study study = toy::study(
       "[problem]\nkind = \"bowl\"\nlabel = \"B\"\nsize = { count = 2, from = 4 }\neven = { grid = [false] }\n"
