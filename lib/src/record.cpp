@@ -70,6 +70,7 @@ void describe(Archive& archive, T& seconds) {
   archive.field("harness", seconds.harness);
   archive.field("to_best", seconds.to_best);
   archive.field("cpu", seconds.cpu);
+  archive.field("warm_up", seconds.warm_up);
 }
 
 template <class Archive, class T>
@@ -81,6 +82,18 @@ void describe(Archive& archive, T& conditions) {
   archive.field("cores", conditions.cores);
   archive.unusual("beside_others", conditions.beside_others, false);
   archive.unusual("stopped", conditions.stopped, false);
+  archive.field("core", conditions.core);
+  archive.field("preempted", conditions.preempted);
+  archive.field("waited", conditions.waited);
+  archive.field("pace", conditions.pace);
+  archive.field("cold", conditions.cold);
+}
+
+template <class Archive, class T>
+requires std::same_as<std::remove_const_t<T>, AuditRecord>
+void describe(Archive& archive, T& audit) {
+  archive.field("stationarity", audit.stationarity);
+  archive.field("digits", audit.digits);
 }
 
 template <class Archive, class T>
@@ -155,6 +168,7 @@ void describe(Archive& archive, T& record,
   archive.optional_table("claimed", record.claimed);
   archive.optional_table("moves", record.moves);
   archive.table("health", record.health);
+  archive.optional_table("audit", record.audit);
   archive.optional_table("unseen", record.unseen);
 }
 

@@ -54,6 +54,7 @@ struct Seconds {
   double harness = 0.0;     ///< start, final audit, the meter
   double to_best = 0.0;
   double cpu = 0.0;
+  std::optional<double> warm_up = {};  ///< of the throw-away run before it, which is in no other figure
 };
 
 /// Under which conditions a trial ran: what its times are worth. Records of 0.1.0 and of `run_trial` alone have none.
@@ -64,6 +65,23 @@ struct Conditions {
   std::int64_t cores = 1;      ///< that the program was allowed to use
   bool beside_others = false;  ///< another comparison wrote to the same store meanwhile
   bool stopped = false;        ///< its process was stopped and continued (Ctrl-Z, SIGSTOP, a frozen container)
+  /// What builds before 0.2.0 didn't look at is empty.
+  std::optional<std::int64_t> core = {};       ///< that it was pinned to
+  std::optional<std::int64_t> preempted = {};  ///< involuntary context switches: the core was taken from it
+  std::optional<std::int64_t> waited = {};     ///< voluntary ones: it waited for something
+  /// Time of a fixed piece of arithmetic shortly before, over its least time in this comparison: 1.3 on a core that is
+  /// 1.3 times as slow as it was at its fastest.
+  std::optional<double> pace = {};
+  std::optional<double> cold = {};  ///< time of the first evaluations in the warm-up, over that of the same ones after it
+};
+
+/// What an independent path says of the best point when the trial is over: a fresh evaluator, which shares nothing with
+/// the race's.
+struct AuditRecord {
+  /// max_i |P(x − g)_i − x_i| / cost, P onto the box and g the cost's gradient: the relative decrease per unit of a
+  /// coordinate that is left, where a bound doesn't forbid it. Empty for problems without gradients and perfect fits.
+  std::optional<double> stationarity = {};
+  std::optional<double> digits = {};  ///< −log10 of the relative difference between its cost and the race's
 };
 
 struct ClaimRecord {
@@ -96,6 +114,7 @@ struct TrialRecord {
   std::optional<ClaimRecord> claimed;
   std::optional<MovesReport> moves;  ///< how single changes were priced; its drift stands in `health`
   Health health;
+  std::optional<AuditRecord> audit;    ///< older records lack it
   std::optional<UnseenRecord> unseen;  ///< of problems that hold something out; older records lack it
 };
 
