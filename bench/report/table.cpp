@@ -203,9 +203,7 @@ std::string describe_reference(const ProblemReport& problem) {
           " (relative error{} {}{})", table.has_prior ? " without it" : "",
           figure_text(*table.start_relative_error, kDigits),
           table.unseen && table.unseen->start ? ", unseen " + figure_text(*table.unseen->start, kDigits) : "");
-    if (table.start_is_best && reference.beaten)
-      text += fmt::format(", not above the {}* that was given: every trial has reached each gap at its start", name);
-    else if (table.start_is_best)
+    if (table.start_is_best)
       text += ", the best there is: every trial has reached each gap at its start";
     else if (reference.unimproved)
       text += fmt::format(
@@ -213,13 +211,7 @@ std::string describe_reference(const ProblemReport& problem) {
     text += "; ";
   }
   if (reference.provisional) return text + name + "* = " + best + ", provisional: " + reference.origin;
-  text += name + "* = " + best + (reference.origin.empty() ? "" : " (" + reference.origin + ")");
-  if (reference.beaten)
-    text += fmt::format(
-        ", which is not the best known: trials reached {}, so gaps to it say little; leave out "
-        "'best_known', or give a better one",
-        figure_text(*reference.beaten, kDigits));
-  return text;
+  return text + name + "* = " + best + (reference.origin.empty() ? "" : " (" + reference.origin + ")");
 }
 
 std::vector<std::string> table_legend(std::span<const ProblemReport> problems) {

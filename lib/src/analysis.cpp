@@ -8,6 +8,8 @@
 #include <stdexcept>
 #include <tuple>
 
+#include <fmt/format.h>
+
 #include <nodal/agreement.h>
 #include <nodal/statistics/order.h>
 
@@ -63,12 +65,14 @@ ProblemReference reference_of(const std::string& label, const std::optional<Know
   double best = kNever;
   for (const TrialRecord* trial : trials)
     if (trial->best && trial->best->summary.quality) best = std::min(best, *trial->best->summary.quality);
-  if (known) {
-    ProblemReference reference{label, known->quality, known->origin, false, false};
-    if (best < known->quality - known_to(known->quality)) reference.beaten = best;
-    return reference;
-  }
+  const bool beaten = known && best < known->quality - known_to(known->quality);
+  if (known && !beaten) return {label, known->quality, known->origin, false, false};
   ProblemReference reference{label, best, "best of these trials", true, false};
+  if (beaten) {
+    reference.given = known->quality;
+    reference.origin += fmt::format(", below the {:.10g} that was given{}", known->quality,
+                                    known->origin.empty() ? "" : " (" + known->origin + ")");
+  }
   if (reference.best_quality == kNever) reference.best_quality = 0.0;
   reference.unimproved = std::ranges::none_of(trials, improved);
   return reference;

@@ -16,6 +16,7 @@
 
 #include "rerun.h"
 #include "running_trials.h"
+#include "trial_claims.h"
 
 namespace nodal {
 
@@ -25,6 +26,9 @@ using Clock = RunningTrials::Clock;
 
 // Some tools stop and continue processes all the time to slow them down: their trials must end, too.
 constexpr int kMostStops = 3;
+// A comparison that lives says so every two seconds; trials without a deadline must not be lost for a day.
+constexpr double kMostPatience = 600.0;
+constexpr std::chrono::milliseconds kWaitForOthers{100};
 
 // Those of this process's mask (taskset, cpusets); std::thread::hardware_concurrency counts the machine's.
 std::int64_t allowed_cores() {
@@ -51,10 +55,13 @@ class Comparison {
     look_for_others();
     find_missing();
     describe_conditions();
+    share_work();
     if (options_.isolate)
       run_children();
     else
       run_here();
+    if (shared_) count_failures_of_all();
+    if (claims_ && !store_.other_writer()) claims_->leave_last();
     result_.interrupted = interrupted() && done_ < total_;
     return result_;
   }
@@ -105,10 +112,36 @@ class Comparison {
     if (!other) return;
     if (!others_seen_)
       warn(
-          fmt::format("another comparison (process {}) writes to '{}' now: both may run the same trials, and times "
-                      "taken meanwhile are marked as contaminated",
+          fmt::format("another comparison (process {}) writes to '{}' now: they share the trials, and times taken "
+                      "meanwhile are marked as contaminated",
                       *other, store_.directory().string()));
     others_seen_ = Clock::now();
+  }
+
+  // A share's trials are its own.
+  void share_work() {
+    if (options_.keys || missing_.empty()) return;
+    const double patience = std::min(kMostPatience, seconds_allowed(study_, options_.grace_seconds));
+    claims_.emplace(store_.directory(), !store_.other_writer(), std::chrono::duration<double>(patience));
+  }
+
+  // What somebody else has stored meanwhile counts as done.
+  TrialClaims::Answer claim(const Missing& entry) {
+    if (!claims_) return TrialClaims::Answer::granted;
+    const TrialClaims::Answer answer = claims_->claim(trial_key(study_, entry.trial), entry.attempt);
+    if (answer == TrialClaims::Answer::done) {
+      ++done_;
+      shared_ = true;
+    }
+    return answer;
+  }
+
+  // Trials that others ran have failed like those of this process.
+  void count_failures_of_all() {
+    const Store all = Store::open_existing(store_.directory());
+    result_.failed = 0;
+    for (const Trial& trial : all_trials(study_))
+      if (const TrialRecord* record = all.find(trial_key(study_, trial))) result_.failed += is_failure(record->end);
   }
 
   void keep(TrialRecord record, const Missing& entry, Clock::time_point began, bool stopped) {
@@ -118,6 +151,7 @@ class Comparison {
     record.conditions->beside_others = others_seen_ && *others_seen_ >= began;
     record.conditions->stopped = stopped;
     store_.append(record);
+    if (claims_) claims_->done(record.key, record.attempt);
     ++result_.ran;
     ++done_;
     result_.failed += is_failure(record.end);
@@ -152,6 +186,7 @@ class Comparison {
   void run_here() {
     for (const Missing& entry : missing_) {
       if (interrupted()) return;
+      if (claim(entry) != TrialClaims::Answer::granted) continue;
       const Clock::time_point began = Clock::now();
       keep(parse_record(run_to_line(entry.trial), "trial"), entry, began, false);
     }
@@ -163,10 +198,7 @@ class Comparison {
     RunningTrials running(
         study_, [this](const Trial& trial) { return run_to_line(trial); }, options_.grace_seconds);
     while (!interrupted() && (!next.empty() || running.size() > 0)) {
-      while (!next.empty() && running.size() < static_cast<std::size_t>(std::max(1, options_.jobs))) {
-        running.start(missing_[next.front()].trial, next.front());
-        next.pop_front();
-      }
+      start_trials(next, running);
       for (EndedTrial& ended : running.wait()) {
         // Whoever interrupts this process may have ended its children, too: they have not crashed.
         if (interrupted() && ended.record.end == End::crashed) continue;
@@ -178,6 +210,21 @@ class Comparison {
       look_for_others();
     }
     // What an interrupt left running is killed here: it is not stored and runs again next time.
+  }
+
+  // As many as may run at once. Those that another comparison runs stay in the list until it has stored them, or has
+  // died.
+  void start_trials(std::deque<std::size_t>& next, RunningTrials& running) {
+    const auto jobs = static_cast<std::size_t>(std::max(1, options_.jobs));
+    for (std::size_t looks = next.size(); looks > 0 && running.size() < jobs; --looks) {
+      const std::size_t ticket = next.front();
+      next.pop_front();
+      const TrialClaims::Answer answer = claim(missing_[ticket]);
+      if (answer == TrialClaims::Answer::granted) running.start(missing_[ticket].trial, ticket);
+      if (answer == TrialClaims::Answer::others) next.push_back(ticket);
+    }
+    if (claims_) claims_->beat();
+    if (running.size() == 0 && !next.empty()) std::this_thread::sleep_for(kWaitForOthers);
   }
 
   bool run_again(const EndedTrial& ended) {
@@ -195,6 +242,8 @@ class Comparison {
   Rerun rerun_;
   Conditions conditions_;
   std::vector<Missing> missing_;
+  std::optional<TrialClaims> claims_;  // where work is shared
+  bool shared_ = false;                // others have run some of it
   std::optional<Clock::time_point> others_seen_;
   std::size_t total_ = 0, done_ = 0;
   CompareResult result_;

@@ -27,12 +27,12 @@ constexpr double kIdleShare = 0.5;
 // Who kills a child may be about to kill this process, too; then the child has not crashed.
 constexpr std::chrono::milliseconds kBeforeACrashIsBelieved{100};
 
+}  // namespace
+
 double seconds_allowed(const Study& study, double grace_seconds) {
   if (!study.budget.seconds) return kDeadlineWithoutSeconds;
   return kDeadlineFactor * *study.budget.seconds + grace_seconds;
 }
-
-}  // namespace
 
 void RunningTrials::start(const Trial& trial, std::size_t ticket) {
   if (running_.empty()) last_look_ = Clock::now();

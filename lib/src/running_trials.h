@@ -24,6 +24,9 @@ struct EndedTrial {
   std::chrono::steady_clock::time_point began;
 };
 
+/// How long a trial may take before it is killed [s].
+[[nodiscard]] double seconds_allowed(const Study& study, double grace_seconds);
+
 /// Its end kills those that run.
 class RunningTrials {
  public:

@@ -11,6 +11,7 @@
 #include <nodal/alternating.h>
 #include <nodal/shown.h>
 
+#include "independent_look.h"
 #include "known_quality.h"
 #include "multi_start.h"
 #include "trial_audit.h"
@@ -66,6 +67,13 @@ class Run {
 
   void execute() {
     if (const std::string refusal = problem_.fit_refusal(); !refusal.empty()) throw InputError(refusal);
+    race();
+    // The race's evaluator is gone: there is never room for two of a large problem's.
+    if (record_.best && seen_) note(look_independently(problem_, record_.best->x, *seen_));
+  }
+
+ private:
+  void race() {
     const double cpu_began = processor_seconds();
     const Meter::Clock::time_point began = Meter::Clock::now();
     const auto since = [began] { return std::chrono::duration<double>(Meter::Clock::now() - began).count(); };
@@ -93,6 +101,7 @@ class Run {
     TrialAudit audit(problem_, *evaluator, meter, record_);
     audit.note_start(start);
     audit.note_best(chosen);
+    if (meter.has_best()) seen_ = chosen ? chosen->cost : meter.best_cost();
     note_claim(meter, outcome);
     const double search_seconds = search_ended - search_began;
     record_.seconds.total = since() - unseen_seconds;
@@ -105,7 +114,13 @@ class Run {
     unseen.note_finding();
   }
 
- private:
+  void note(const IndependentLook& look) {
+    record_.audit = look.record;
+    if (look.refuted.empty() || record_.end == End::failed) return;
+    record_.end = End::failed;
+    record_.reason += (record_.reason.empty() ? "" : "; ") + look.refuted;
+  }
+
   Limits limits() const {
     Limits limits;
     if (study_.budget.seconds) limits.seconds = *study_.budget.seconds;
@@ -191,6 +206,7 @@ class Run {
   const Registry& registry_;
   TrialRecord& record_;
   const Problem& problem_;
+  std::optional<double> seen_;  // by the race: the cost of the point that is reported
 };
 
 }  // namespace

@@ -121,12 +121,73 @@ TEST(Compare, SaysAndNotesThatAnotherComparisonWritesHere) {
   EXPECT_EQ(warnings,
             (std::vector<std::string>{"another comparison (process " + std::to_string(other) + ") writes to '" +
                                       directory.path().string() +
-                                      "' now: both may run the same trials, and times taken meanwhile are marked as "
+                                      "' now: they share the trials, and times taken meanwhile are marked as "
                                       "contaminated"}));
   const Store store(directory.path());
   for (const TrialRecord& record : store.records())
     EXPECT_EQ(record.conditions->beside_others, record.repeat < 2) << record.repeat;
   for (const int descriptor : {began[0], began[1], end[0]}) ::close(descriptor);
+}
+
+// Runs a comparison in a process of its own.
+pid_t compare_elsewhere(const Study& study, const TemporaryDirectory& directory) {
+  const pid_t process = ::fork();
+  if (process != 0) return process;
+  int status = 1;
+  try {
+    status = run(study, directory).interrupted ? 1 : 0;
+  } catch (...) {
+  }
+  ::_exit(status);
+}
+
+TEST(Compare, SharesItsTrialsWithAnotherOne) {
+  const TemporaryDirectory directory;
+  const Study study = study_with(use("wanderer") + use("halving"));
+  const pid_t other = compare_elsewhere(study, directory);
+  const CompareResult result = run(study, directory);
+  int status = 1;
+  ::waitpid(other, &status, 0);
+  EXPECT_EQ(status, 0);
+  EXPECT_EQ(result.failed, 0u);
+  const Store store(directory.path());
+  EXPECT_EQ(store.records().size(), all_trials(study).size());
+  EXPECT_EQ(lines_in(directory), all_trials(study).size()) << "each trial ran once";
+  EXPECT_FALSE(std::filesystem::exists(directory.path() / "claims")) << "whoever leaves last clears up";
+}
+
+// Somebody holds the store, and two claims stand there: one of a comparison that has left no sign of life, one of a
+// comparison that has not given any for too long.
+TEST(Compare, TakesOverWhatADeadComparisonHadClaimed) {
+  const TemporaryDirectory directory;
+  const Study study = study_with(use("wanderer"));
+  int end[2];
+  ASSERT_EQ(::pipe(end), 0);
+  const pid_t holder = ::fork();
+  if (holder == 0) {
+    char byte = 0;
+    ::close(end[1]);
+    Store store(directory.path());
+    store.begin(study);
+    (void)!::read(end[0], &byte, 1);
+    ::_exit(0);
+  }
+  Store store(directory.path());
+  store.begin(study);
+  while (!store.other_writer()) ::usleep(1000);
+  const std::filesystem::path claims = directory.path() / "claims";
+  std::filesystem::create_directories(claims);
+  const std::vector<Trial> trials = all_trials(study);
+  std::ofstream(claims / (trial_key(study, trials[0]) + ".1")) << "gone";
+  std::ofstream(claims / (trial_key(study, trials[1]) + ".1")) << "silent";
+  std::ofstream(claims / "silent.alive") << "";
+  std::filesystem::last_write_time(claims / "silent.alive",
+                                   std::filesystem::file_time_type::clock::now() - std::chrono::hours(1));
+  const CompareResult result = run(study, directory);
+  EXPECT_EQ(result.ran, trials.size());
+  ::close(end[1]);
+  ::waitpid(holder, nullptr, 0);
+  ::close(end[0]);
 }
 
 }  // namespace

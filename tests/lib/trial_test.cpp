@@ -201,6 +201,60 @@ TEST(Trial, RecordsWhatWasSeen) {
   EXPECT_GE(record.seconds.optimizer, 0.0);
 }
 
+// On 1 + ½ Σ (x_i − c_i)² a fresh evaluator finds the gradient that is left over: x_i − c_i, over a cost of 1.
+TEST(Trial, IsLookedAtByAnEvaluatorOfItsOwn) {
+  Study study = toy_study();
+  const auto raised = [](std::span<const double> x) { return 1.0 + toy::bowl(x); };
+  study.problems[0].problem = std::make_shared<toy::ToyProblem>(3, raised);
+  study.problems[0].best_known.reset();
+  study.budget.evaluations = 5;
+  const TrialRecord record = run_trial(study, {0, 0, 0}, toy_registry());
+  ASSERT_TRUE(record.audit.has_value() && record.best.has_value());
+  const double left = (1.5 + 0.75) / 32.0;  // of the farthest coordinate, halved five times
+  EXPECT_NEAR(record.audit->stationarity.value_or(0.0), left / raised(record.best->x), 1e-15);
+  EXPECT_EQ(record.audit->digits, 16.0);
+  EXPECT_EQ(parse_record(to_json_line(record), "line").audit->stationarity, record.audit->stationarity);
+}
+
+TEST(Trial, SaysNothingOfTheSlopeAtAPerfectFit) {
+  const TrialRecord record = run_trial(toy_study(), {0, 0, 0}, toy_registry());
+  ASSERT_TRUE(record.audit.has_value());
+  EXPECT_FALSE(record.audit->stationarity.has_value());
+}
+
+// Whose evaluator makes costs smaller the longer it runs has fooled its own audit, too.
+TEST(Trial, FailsWhereAnotherEvaluatorRefutesTheRace) {
+  class Drifting final : public Problem {
+   public:
+    [[nodiscard]] const Space& space() const override { return toy_.space(); }
+    [[nodiscard]] Abilities abilities() const override { return {}; }
+    [[nodiscard]] std::unique_ptr<Evaluator> make_evaluator() const override {
+      class Own final : public Evaluator {
+       public:
+        Evaluation value(std::span<const double> x) override {
+          return {Status::ok, (1.0 + toy::bowl(x)) / static_cast<double>(++calls_)};
+        }
+        Evaluation audit(std::span<const double> x) override {
+          return {Status::ok, (1.0 + toy::bowl(x)) / static_cast<double>(std::max(1, calls_))};
+        }
+
+       private:
+        int calls_ = 0;
+      };
+      return std::make_unique<Own>();
+    }
+
+   private:
+    toy::ToyProblem toy_;
+  };
+  Study study = toy_study();
+  study.problems[0].problem = std::make_shared<Drifting>();
+  study.problems[0].best_known.reset();
+  const TrialRecord record = run_trial(study, {0, 0, 0}, toy_registry());
+  EXPECT_EQ(record.end, End::failed);
+  EXPECT_NE(record.reason.find("an evaluator of its own says"), std::string::npos) << record.reason;
+}
+
 TEST(Trial, EndsAtItsTarget) {
   Study study = toy_study();
   study.budget.target_gap = 1e-3;

@@ -47,10 +47,11 @@ struct Quartiles {
 struct ProblemReference {
   std::string label;
   double best_quality = 0.0;          ///< G*
-  std::string origin;                 ///< who says so
-  bool provisional = false;           ///< true when it is merely the best of these trials
-  bool unimproved = false;            ///< provisional, and no trial improved its start: gaps to it mean nothing
-  std::optional<double> beaten = {};  ///< by this quality of a trial: a G* that was given is not the best known
+  std::string origin;                ///< who says so
+  bool provisional = false;          ///< true when it is merely the best of these trials
+  bool unimproved = false;           ///< provisional, and no trial improved its start: gaps to it mean nothing
+  std::optional<double> given = {};  ///< a G* that was given and that a trial is below of: all is measured against
+                                     ///< that trial's then, also what was stored before it
 };
 
 struct TargetRow {
@@ -111,7 +112,8 @@ struct RowRequest {
   bool deterministic = false;
 };
 
-/// `best_known` without a value: the best of the records, marked provisional.
+/// `best_known` without a value, or above the best of the records by more than it is known to: that best, marked
+/// provisional.
 [[nodiscard]] ProblemTable make_table(const std::string& problem_label, const std::optional<KnownOptimum>& best_known,
                                       std::span<const RowRequest> optimizers, std::span<const TrialRecord> records);
 

@@ -57,8 +57,10 @@ void require_comparable(const Study& study, const CompareOptions& options = {});
 /// Requires a comparable study before anything is written. StoreError when a result can't be stored; what runs is
 /// killed.
 ///
-/// A trial whose process was stopped and continued is run again, three times at most; a comparison of another process
-/// that writes to the same store is warned of, and noted in the records.
+/// A trial whose process was stopped and continued is run again, three times at most. A comparison of another process
+/// that writes to the same store, on this machine or another, is warned of and noted in the records; the two share the
+/// trials, each claiming those that it runs, and wait for each other's last ones. What a comparison that died had
+/// claimed is taken over once it has been silent for as long as a trial may take, 10 minutes at most.
 CompareResult compare(const Study& study, const Registry& registry, Store& store, const CompareOptions& options,
                       const CompareObserver& observer = {});
 

@@ -78,10 +78,11 @@ struct Conditions {
 /// What an independent path says of the best point when the trial is over: a fresh evaluator, which shares nothing with
 /// the race's.
 struct AuditRecord {
-  /// max_i |P(x − g)_i − x_i| / cost, P onto the box and g the cost's gradient: the relative decrease per unit of a
-  /// coordinate that is left, where a bound doesn't forbid it. Empty for problems without gradients and perfect fits.
+  /// max_i |P(x − g/f)_i − x_i|, with the cost f, its gradient g and P onto the box: the share of the cost by which it
+  /// still falls per unit of the steepest coordinate that no bound holds. Empty for problems without gradients, and
+  /// for perfect fits and costs below zero.
   std::optional<double> stationarity = {};
-  std::optional<double> digits = {};  ///< −log10 of the relative difference between its cost and the race's
+  std::optional<double> digits = {};  ///< of the race's cost that the fresh one has, −log10 of relative_drift(), ≤ 16
 };
 
 struct ClaimRecord {

@@ -129,13 +129,6 @@ TEST(ConsoleTable, SaysThatTheStartIsTheBest) {
       << text;
   EXPECT_EQ(text.find(" never"), std::string::npos) << text;
   EXPECT_NE(text.find("  at the start   1 of 1"), std::string::npos) << text;
-  // A given G* that trials are below of is not the best there is.
-  table.reference.beaten = 0.5;
-  const std::string beaten = console_table(data, 200);
-  EXPECT_EQ(beaten.find("the best there is"), std::string::npos) << beaten;
-  EXPECT_NE(beaten.find(", not above the G* that was given: every trial"), std::string::npos) << beaten;
-  EXPECT_NE(beaten.find("which is not the best known: trials reached 0.5"), std::string::npos) << beaten;
-  table.reference.beaten.reset();
   // The best of trials that found nothing says nothing, unless it is a perfect fit.
   table.reference.provisional = table.reference.unimproved = true;
   table.start_is_best = false;

@@ -115,6 +115,17 @@ class ExtendedGroup {
 
   bool fixed(std::size_t freedom) const { return unknown_[freedom] == kFixed; }
 
+  // Every row meets, with each of its entries, a row that is about as long.
+  double operations(std::size_t loads) const {
+    double sum = 0.0;
+    const std::vector<std::size_t> first = first_nonzeros();
+    for (std::size_t i = 0; i < first.size(); ++i) {
+      const auto length = static_cast<double>(i - first[i] + 1);
+      sum += length * (0.5 * length + 2.0 * static_cast<double>(loads));
+    }
+    return sum;
+  }
+
  private:
   static constexpr std::size_t kFixed = static_cast<std::size_t>(-1);
 
@@ -203,6 +214,16 @@ std::optional<ExtendedState> solve_extended(const Scene& scene, std::span<const 
     for (const Extended& value : u) state.displacements.back().push_back(static_cast<double>(value));
   }
   return state;
+}
+
+double extended_operations(const Scene& scene) {
+  const std::vector<double> any(scene.net.springs.size(), 1.0);
+  double sum = 0.0;
+  for (std::size_t g = 0; g < scene.loads.groups.size(); ++g) {
+    const auto loads = std::ranges::count(scene.loads.loads, g, &LoadCase::group);
+    sum += ExtendedGroup(scene, g, any).operations(static_cast<std::size_t>(loads));
+  }
+  return sum;
 }
 
 double displacement_error(const State& state, const ExtendedState& exact) {

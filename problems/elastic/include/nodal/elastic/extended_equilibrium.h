@@ -32,6 +32,9 @@ struct ExtendedState {
 /// std::invalid_argument for a wrong number of stiffnesses.
 [[nodiscard]] std::optional<ExtendedState> solve_extended(const Scene& scene, std::span<const double> stiffness);
 
+/// How many multiplications its factors and solutions take, about.
+[[nodiscard]] double extended_operations(const Scene& scene);
+
 /// max over loads of ‖u − u_exact‖/‖u_exact‖: the error of displacements in doubles.
 [[nodiscard]] double displacement_error(const State& state, const ExtendedState& exact);
 
