@@ -7,7 +7,9 @@
 #include <chrono>
 #include <cmath>
 #include <filesystem>
+#include <limits>
 #include <map>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -54,7 +56,16 @@ report::ProblemReport* report_of(report::ReportData& data, const std::string& la
 struct Shown {
   ReportPart picture;
   std::vector<std::string> notes;
+  std::optional<double> digits = {};  // of the best point's quality
 };
+
+std::optional<double> digits_of(const Exhibit& exhibit, const report::BestOfAll& best) {
+  const std::optional<double> exact = exhibit.exact_quality(exhibit.values(best.x));
+  if (!exact) return std::nullopt;
+  constexpr double kMost = std::numeric_limits<double>::digits10 + 1;
+  const double off = std::abs(best.quality - *exact) / std::abs(*exact);
+  return off > 0.0 ? std::clamp(-std::log10(off), 0.0, kMost) : kMost;
+}
 
 // Before and after: the start and the best point of the report.
 Shown show(const StudyProblem& entry, const report::ProblemReport& own) {
@@ -63,12 +74,15 @@ Shown show(const StudyProblem& entry, const report::ProblemReport& own) {
   const std::vector<LabelledPoint> points = {{"start", {start.begin(), start.end()}},
                                              {"best: " + own.best->optimizer, own.best->x}};
   const std::shared_ptr<const Exhibit> exhibit = exhibit_of(*entry.problem);
-  return {exhibit->report(entry.label, points), exhibit->notes_at(exhibit->start())};
+  return {exhibit->report(entry.label, points), exhibit->notes_at(exhibit->start()), digits_of(*exhibit, *own.best)};
 }
 
 void add(Shown shown, const std::string& label, report::ReportData& data) {
   if (!shown.picture.empty()) data.pictures.emplace(label, std::move(shown.picture));
-  if (report::ProblemReport* own = report_of(data, label)) own->notes = std::move(shown.notes);
+  report::ProblemReport* own = report_of(data, label);
+  if (!own) return;
+  own->notes = std::move(shown.notes);
+  own->best->digits = shown.digits;
 }
 
 Value to_value(const Shown& shown) {
@@ -76,17 +90,19 @@ Value to_value(const Shown& shown) {
   table.set("html", shown.picture.html);
   table.set("style", shown.picture.style);
   table.set("script", shown.picture.script);
+  if (shown.digits) table.set("digits", *shown.digits);
   table.set("notes", Value(Value::List(shown.notes.begin(), shown.notes.end())));
   return table;
 }
 
 Shown to_shown(const Value& table) {
   Shown shown{{table.at("html").text(), table.at("style").text(), table.at("script").text()}, {}};
+  if (const Value* digits = table.find("digits")) shown.digits = digits->number();
   for (const Value& note : table.at("notes").list()) shown.notes.push_back(note.text());
   return shown;
 }
 
-// {"shown": {label: {html, style, script, notes}}}, or {"refused": why}.
+// {"shown": {label: {html, style, script, digits, notes}}}, or {"refused": why}.
 std::string stored_pictures(const Value& study, const Registry& registry, report::ReportData& data) {
   Value answer;
   try {

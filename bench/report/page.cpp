@@ -44,6 +44,7 @@ std::string problem_html(const ReportData& data, std::size_t index) {
   const auto pictures = data.pictures.find(problem.table.reference.label);
   return "<section class=\"problem\">\n<h2>" + escape_html(problem.table.reference.label) + "</h2>\n" +
          paragraph(describe_reference(problem) + ".") + chart_html(problem, index) + table_html(problem) +
+         ends_html(problem.ends, problem.raced_name()) +
          unseen_chart_html(problem, index) + (pictures == data.pictures.end() ? std::string() : pictures->second.html) +
          problem.details.html + "</section>\n";
 }

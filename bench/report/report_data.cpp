@@ -165,6 +165,7 @@ ProblemReport make_problem(const NamedProblem& named, const Collection& all, con
     report.scrutiny.optimizers.push_back({optimizer.label, claims_seen(trials), first_to_rest(trials)});
   }
   report.scrutiny.aliases = aliases(records);
+  report.ends = ends_of(records);
   return report;
 }
 

@@ -19,6 +19,8 @@
 #include <nodal/store.h>
 #include <nodal/study.h>
 
+#include "ends.h"
+
 namespace nodal::report {
 
 /// Best quality so far of one optimizer, or its unseen error there, over each axis.
@@ -34,6 +36,8 @@ struct BestOfAll {
   double quality = 0.0;
   std::vector<double> x;
   std::optional<double> cost = {};
+  std::optional<double> digits = {};  ///< of its quality that hold in arithmetic of more (Exhibit::exact_quality), by
+                                      ///< the caller
 };
 
 /// What a sceptic finds in the trials of an optimizer, and between optimizers (scrutiny.h).
@@ -59,6 +63,7 @@ struct ProblemReport {
   std::vector<OptimizerCurves> unseen_curves;  ///< the same of unseen errors
   std::optional<BestOfAll> best;
   Scrutiny scrutiny = {};
+  Ends ends = {};
   std::vector<std::string> notes;  ///< what is to be known of any result: Exhibit::notes_at the start. By the caller
   ReportPart details;              ///< of how it was made; empty where the manifests say nothing
   std::string fingerprint = {};    ///< of the files it was read from (StudyProblem), as the stores have it

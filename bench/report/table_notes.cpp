@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 
 #include <fmt/format.h>
@@ -128,6 +129,15 @@ void add_scrutiny(const Scrutiny& scrutiny, std::vector<std::string>& notes) {
                                                    : fmt::format("all {} repeats that both have", alias.repeats)));
 }
 
+// How far the best of all can be trusted, where somebody could say so.
+std::optional<std::string> digits_note(const ProblemReport& problem) {
+  if (!problem.best || !problem.best->digits) return std::nullopt;
+  return fmt::format("The best {} of these trials, {:.12g} ({}, repeat {}), has {:.0f} digits that hold in arithmetic of "
+                     "50.",
+                     problem.raced_name(), problem.best->quality, problem.best->optimizer, problem.best->repeat,
+                     std::floor(*problem.best->digits));
+}
+
 }  // namespace
 
 std::vector<std::string> table_notes(const ProblemReport& problem) {
@@ -136,7 +146,7 @@ std::vector<std::string> table_notes(const ProblemReport& problem) {
   for (const std::string& note : problem.notes) notes.push_back(fmt::format("At the start: {}.", note));
   for (std::optional<std::string>& note :
        std::array{disturbed_note(table.rows), worse_unseen_note(table), risen_unseen_note(table),
-                  missing_unseen_note(table), validated_note(table), floor_note(problem)})
+                  missing_unseen_note(table), validated_note(table), floor_note(problem), digits_note(problem)})
     if (note) notes.push_back(std::move(*note));
   add_scrutiny(problem.scrutiny, notes);
   return notes;

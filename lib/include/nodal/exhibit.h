@@ -82,6 +82,12 @@ class Exhibit {
   /// Values from a file that people name. InputError for what is wrong in it; Refusal by a problem that reads none.
   [[nodiscard]] virtual std::vector<double> read(const std::filesystem::path& file) const;
 
+  /// The quality of values by arithmetic of more digits than doubles have, rounded at the end: it says how many digits
+  /// of a best known quality hold. Empty where there is no such arithmetic, or it would take longer than a second.
+  [[nodiscard]] virtual std::optional<double> exact_quality(std::span<const double> /*values*/) const {
+    return std::nullopt;
+  }
+
   /// `label` is what the study calls the problem.
   [[nodiscard]] virtual std::unique_ptr<ShownSystem> show(const std::string& label,
                                                           std::span<const double> values) const = 0;

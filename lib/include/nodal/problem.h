@@ -16,7 +16,6 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -72,11 +71,6 @@ class Problem {
   /// Quality on a scale where 0 is perfect and 1 is as bad as doing nothing, for problems that have one.
   [[nodiscard]] virtual std::optional<double> relative_error(double /*cost*/) const { return std::nullopt; }
   [[nodiscard]] virtual std::optional<KnownOptimum> known_optimum() const { return std::nullopt; }
-  /// The quality at x by arithmetic of more digits than doubles have, rounded at the end: says how many digits of a
-  /// best known quality hold. Empty where a problem has no such arithmetic, or x would take it longer than a second.
-  [[nodiscard]] virtual std::optional<double> exact_quality(std::span<const double> /*x*/) const {
-    return std::nullopt;
-  }
 
   /// What is held out: measured at points that an optimizer has found, never fitted. A name each, "bend-x"; none
   /// ordinarily. Errors come from Evaluator::held_out_errors.

@@ -7,8 +7,6 @@
 
 #include <fmt/format.h>
 
-#include <nodal/elastic/extended_equilibrium.h>
-
 #include "displacements/elastic_model.h"
 #include "displacements/findings.h"
 #include "displacements/load_states.h"
@@ -146,15 +144,6 @@ std::optional<double> ElasticProblem::reference_error() const noexcept {
 
 double ElasticProblem::quality(double cost) const {
   return std::sqrt(2.0 * cost) * data_->model.reference_norm * data_->model.displacement_unit;
-}
-
-std::optional<double> ElasticProblem::exact_quality(std::span<const double> x) const {
-  constexpr double kMostOperations = 1e6;  // 0.3 s
-  if (!scene().has_reference || extended_operations(scene()) > kMostOperations) return std::nullopt;
-  const std::vector<double> k = stiffness(x);
-  const std::optional<ExtendedState> exact = solve_extended(scene(), k);
-  if (!exact) return std::nullopt;
-  return data_->prior ? prior_share(exact->cost, k).quality : quality(exact->cost);
 }
 
 std::vector<double> ElasticProblem::stiffness(std::span<const double> x) const {

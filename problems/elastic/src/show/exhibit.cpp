@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <nodal/elastic/determination.h>
+#include <nodal/elastic/extended_equilibrium.h>
 #include <nodal/elastic/pruning.h>
 
 #include "export/system_format.h"
@@ -67,6 +68,16 @@ std::vector<double> ElasticExhibit::start() const { return problem_.start_stiffn
 std::vector<double> ElasticExhibit::read(const std::filesystem::path& file) const {
   InputFiles files;
   return read_back(system_formats(), files, file, problem_.net());
+}
+
+std::optional<double> ElasticExhibit::exact_quality(std::span<const double> stiffness) const {
+  constexpr double kMostOperations = 1e6;  // 0.3 s
+  const Scene& scene = problem_.scene();
+  if (!scene.has_reference || extended_operations(scene) > kMostOperations) return std::nullopt;
+  const State state = problem_.solve(stiffness);
+  const std::optional<ExtendedState> exact = solve_extended(scene, stiffness);
+  if (!exact || state.status != Status::ok) return std::nullopt;
+  return problem_.quality(exact->cost + (state.prior ? state.prior->cost : 0.0));
 }
 
 std::unique_ptr<ShownSystem> ElasticExhibit::show(const std::string& label, std::span<const double> stiffness) const {

@@ -15,6 +15,8 @@ class ElasticExhibit final : public Exhibit {
   [[nodiscard]] std::vector<double> values(std::span<const double> x) const override;
   [[nodiscard]] std::vector<double> start() const override;
   [[nodiscard]] std::vector<double> read(const std::filesystem::path& file) const override;
+  /// By solve_extended(), where that takes at most a million operations: up to some 250 nodes in the plane.
+  [[nodiscard]] std::optional<double> exact_quality(std::span<const double> stiffness) const override;
   [[nodiscard]] std::unique_ptr<ShownSystem> show(const std::string& label,
                                                   std::span<const double> stiffness) const override;
   [[nodiscard]] bool draws() const override { return true; }

@@ -39,8 +39,6 @@ class ElasticProblem final : public Problem {
   [[nodiscard]] std::unique_ptr<Evaluator> make_evaluator() const override;
   [[nodiscard]] double quality(double cost) const override;
   [[nodiscard]] std::optional<double> relative_error(double cost) const override;
-  /// By solve_extended(), where that takes at most a million operations: up to some 250 nodes in the plane.
-  [[nodiscard]] std::optional<double> exact_quality(std::span<const double> x) const override;
   /// How far off the reference may be by the estimate of whoever computed it, ‖uncertainty‖_W/‖u_ref‖_W: a relative
   /// error below it is no result. Nothing where the reference is exact, or nobody knows.
   [[nodiscard]] std::optional<double> reference_error() const noexcept;
