@@ -33,7 +33,11 @@ void say_left_out(const Study& study) {
 CompareResult run(const Study& study, const Registry& registry, const std::string& directory, CompareOptions options) {
   Store store{directory};
   const StopSignal stop;
-  Progress progress(::isatty(STDERR_FILENO) == 1);
+  std::vector<std::string> labels;
+  for (const StudyOptimizer& optimizer : study.optimizers)
+    if (!optimizer.skipped) labels.push_back(optimizer.label);
+  Progress progress(::isatty(STDERR_FILENO) == 1, labels);
+  progress.stored(store.records());
   options.interrupted = &stop.flag();
   CompareObserver observer;
   observer.began = [&](std::size_t total, std::size_t stored) { progress.began(total, stored); };

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "progress.h"
 
+#include <sys/ioctl.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <iostream>
 
@@ -15,10 +18,22 @@ namespace nodal {
 namespace {
 
 constexpr std::size_t kBarWidth = 30;
+constexpr std::size_t kUsualWidth = 80, kUsualHeight = 24;  // where the terminal doesn't say
+
+winsize terminal_size() {
+  winsize size{};
+  if (::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_col == 0 || size.ws_row == 0)
+    size = {kUsualHeight, kUsualWidth, 0, 0};
+  return size;
+}
 
 }  // namespace
 
 Progress::~Progress() { close(); }
+
+void Progress::stored(std::span<const TrialRecord> records) {
+  for (const TrialRecord& record : records) table_.add(record);
+}
 
 void Progress::began(std::size_t total, std::size_t stored) {
   stored_ = stored;
@@ -33,6 +48,8 @@ void Progress::began(std::size_t total, std::size_t stored) {
 
 void Progress::finished(const TrialRecord& record, std::size_t done, std::size_t total) {
   if (on_terminal_) {
+    table_.add(record);
+    draw_table();
     draw(record.optimizer, done, total);
     return;
   }
@@ -46,6 +63,7 @@ void Progress::warned(const std::string& warning) {
 }
 
 void Progress::close() {
+  remove_table();
   if (open_) std::cerr << '\n';
   open_ = false;
 }
@@ -59,6 +77,28 @@ void Progress::draw(const std::string& what, std::size_t done, std::size_t total
   send_control(std::cerr, "\x1b[K");  // clears what a longer line before has left
   std::cerr << std::flush;
   open_ = true;
+}
+
+// The cursor stands in the bar's line, below the table.
+void Progress::draw_table() {
+  const winsize size = terminal_size();
+  const std::vector<std::string> lines = table_.lines(size.ws_col - 1u, size.ws_row - 2u);
+  if (lines.size() != lines_) remove_table();
+  send_control(std::cerr, lines_ > 0 ? fmt::format("\r\x1b[{}A", lines_) : "\r");
+  for (const std::string& line : lines) {
+    std::cerr << line;
+    send_control(std::cerr, "\x1b[K");
+    std::cerr << '\n';
+  }
+  lines_ = lines.size();
+}
+
+// The bar's line goes, too: it is drawn again by whoever wants it.
+void Progress::remove_table() {
+  if (lines_ == 0) return;
+  send_control(std::cerr, fmt::format("\r\x1b[{}A\x1b[J", lines_));
+  lines_ = 0;
+  open_ = false;
 }
 
 std::string Progress::time_left(std::size_t done, std::size_t total) const {

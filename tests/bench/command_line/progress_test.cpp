@@ -39,6 +39,42 @@ TEST(Progress, IsABarWithTheTimeLeftOnATerminal) {
   EXPECT_TRUE(text.ends_with("\n"));
 }
 
+TEST(LiveTable, HasTheBestOfEachOptimizerOnTheProblemThatRuns) {
+  LiveTable table({"annealing", "gauss-newton"});
+  EXPECT_TRUE(table.lines(80, 24).empty()) << "nothing has run";
+  TrialRecord record = finished_record();
+  record.problem = "plate";
+  table.add(record);
+  record.best->summary.relative_error = 0.02;
+  table.add(record);
+  record.end = End::failed;
+  record.best.reset();
+  table.add(record);
+  EXPECT_EQ(table.lines(80, 24), (std::vector<std::string>{"plate        relative error   trials   failed",
+                                                           "annealing            0.0174        3        1",
+                                                           "gauss-newton              –        0         "}));
+  EXPECT_TRUE(table.lines(80, 2).empty()) << "no room";
+  record.problem = "another plate";
+  table.add(record);
+  EXPECT_TRUE(table.lines(80, 24)[1].starts_with("annealing                 –        1        1"));
+}
+
+TEST(Progress, DrawsItsTableAboveTheBarAndTakesItAway) {
+  testing::internal::CaptureStderr();
+  {
+    Progress progress(true, {"annealing"});
+    progress.began(4, 0);
+    TrialRecord record = finished_record();
+    record.problem = "plate";
+    progress.finished(record, 1, 4);
+    progress.finished(record, 2, 4);
+  }
+  const std::string text = testing::internal::GetCapturedStderr();
+  EXPECT_NE(text.find("0.0174"), std::string::npos) << text;
+  EXPECT_NE(text.find("\r\x1b[2A"), std::string::npos) << "the second is drawn over the first: " << text;
+  EXPECT_TRUE(text.ends_with("\r\x1b[2A\x1b[J")) << text;
+}
+
 TEST(Progress, WarnsOnALineOfItsOwn) {
   testing::internal::CaptureStderr();
   {

@@ -11,6 +11,7 @@
 #include <Eigen/SparseCore>
 
 #include <nodal/elastic/extended_equilibrium.h>
+#include <nodal/exhibit.h>
 
 #include "../plate.h"
 
@@ -254,6 +255,19 @@ TEST(Stability, TheGradientHoldsAtAnyContrast) {
       EXPECT_NEAR((cost_at(h) - cost_at(-h)) / (2 * h), gradient[i], 1e-7 * size) << contrast << ", spring " << i;
     }
   }
+}
+
+// What the program says of a best known quality: the refined one has nearly all of the digits that the exact one has.
+TEST(ExtendedEquilibrium, SaysHowManyDigitsOfAQualityHold) {
+  for (const char* more : {"", "prior = { weight = 0.3 }\n"}) {
+    const auto problem = make_plate({.more = more});
+    const std::vector<double> k = random_stiffness(problem->scene(), 0.5, 3);
+    const State state = problem->solve(k);
+    const double quality = state.prior ? state.prior->quality : state.quality;
+    EXPECT_NEAR(exhibit_of(*problem)->exact_quality(k).value_or(0.0), quality, 1e-13 * quality) << more;
+  }
+  const auto large = make_plate({.counts = "[20, 20]", .size = "[19.0, 19.0]"});
+  EXPECT_EQ(exhibit_of(*large)->exact_quality(large->start_stiffness()), std::nullopt) << "it would take seconds";
 }
 
 TEST(Stability, NoForceThatIsNoNumberGetsThrough) {
