@@ -84,7 +84,10 @@ TrialClaims::TrialClaims(const fs::path& store, bool alone, std::chrono::duratio
 
 TrialClaims::~TrialClaims() {
   if (own_.empty()) return;
-  if (last_) return clear(folder_);
+  if (last_) {
+    clear(folder_);
+    return;
+  }
   std::error_code ignored;
   for (const std::string& name : held_)
     if (content_of(folder_ / name) == own_) fs::remove(folder_ / name, ignored);
