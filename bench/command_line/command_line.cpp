@@ -117,6 +117,17 @@ void add_share(CLI::App& command, CompareArguments& to) {
       ->excludes(shard);
 }
 
+void add_jobs(CLI::App& command, CompareArguments& to) {
+  command.add_option("--jobs", to.jobs, "Trials at once; times stay clean with 1 (default)")->check(above_zero());
+  command
+      .add_option("--time-lane", to.time_lane,
+                  "Of trials that ran beside others, how many of each optimizer on each problem run once more alone, "
+                  "for their times (default: 3; 0: none)")
+      ->check(not_below_zero())
+      ->excludes(command.get_option("--shard"))
+      ->excludes(command.get_option("--trials"));
+}
+
 void add_trials(CLI::App& app, const Registry& registry, int& exit) {
   const auto to = std::make_shared<TrialsArguments>();
   CLI::App& command =
@@ -140,7 +151,7 @@ void add_compare(CLI::App& app, const Registry& registry, int& exit) {
   add_share(command, *to);
   add_repeats(command, to->overrides);
   add_budget(command, to->overrides);
-  command.add_option("--jobs", to->jobs, "Trials at once; times stay clean with 1 (default)")->check(above_zero());
+  add_jobs(command, *to);
 }
 
 void add_evaluate(CLI::App& app, const Registry& registry, int& exit) {

@@ -19,6 +19,7 @@ struct CompareArguments {
   int jobs = 1;
   std::vector<std::string> rerun;  ///< as CompareOptions has them
   bool fresh = false;
+  int time_lane = 3;          ///< as CompareOptions has it: the fewest with a median that isn't one of the ends
   std::string shard, trials;  ///< "3/8" or "auto"; a file with keys of trials, "-" for standard input
   StudyOverrides overrides;
 };

@@ -31,7 +31,7 @@ void say_left_out(const Study& study) {
 }
 
 CompareResult run(const Study& study, const Registry& registry, const std::string& directory, CompareOptions options) {
-  Store store{directory};
+  Store store(directory, InMemory::short_records);
   const StopSignal stop;
   std::vector<std::string> labels;
   for (const StudyOptimizer& optimizer : study.optimizers)
@@ -44,6 +44,7 @@ CompareResult run(const Study& study, const Registry& registry, const std::strin
   observer.finished = [&](const TrialRecord& record, std::size_t done, std::size_t total) {
     progress.finished(record, done, total);
   };
+  observer.timing = [&](std::size_t trials) { progress.timing(trials); };
   observer.warned = [&](const std::string& warning) { progress.warned(warning); };
   return compare(study, registry, store, options, observer);
 }
@@ -88,6 +89,7 @@ int compare_command(const CompareArguments& arguments, const Registry& registry)
   options.jobs = arguments.jobs;
   options.rerun = arguments.rerun;
   options.fresh = arguments.fresh;
+  options.time_lane = arguments.time_lane;
   options.keys = keys_asked_for(arguments, study);
   require_comparable(study, options);  // before anything is written
   say_left_out(study);

@@ -57,6 +57,12 @@ void Progress::finished(const TrialRecord& record, std::size_t done, std::size_t
   std::cerr << fmt::format("[{:>{}}/{}] {}\n", done, digits, total, trial_line(record));
 }
 
+void Progress::timing(std::size_t trials) {
+  close();
+  std::cerr << fmt::format("{} trial{} once more, alone, for {} times\n", trials, trials == 1 ? " runs" : "s run",
+                           trials == 1 ? "its" : "their");
+}
+
 void Progress::warned(const std::string& warning) {
   close();
   say("warning", warning);

@@ -29,6 +29,8 @@ class Progress {
   void stored(std::span<const TrialRecord> records);
   void began(std::size_t total, std::size_t stored);
   void finished(const TrialRecord& record, std::size_t done, std::size_t total);
+  /// So many trials run once more, for their times.
+  void timing(std::size_t trials);
   void warned(const std::string& warning);
   /// Takes the table away and ends the bar's line, so that other text can follow.
   void close();

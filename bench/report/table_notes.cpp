@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -20,15 +22,44 @@ constexpr double kManyTimes = 3.0;  // its least on the way: less is told by the
 // What marks in the table stand for.
 std::optional<std::string> disturbed_note(const std::vector<OptimizerRow>& rows) {
   std::size_t disturbed = 0, trials = 0;
+  std::vector<std::string> whose;
   for (const OptimizerRow& row : rows) {
     disturbed += row.contaminated;
     trials += row.trials;
+    if (row.contaminated > 0) whose.push_back(fmt::format("{} {}", row.label, row.contaminated));
   }
   if (disturbed == 0) return std::nullopt;
   return fmt::format(
-      "{} {} of {} trials did not have a processor core to themselves: their times are too long, and those that the "
-      "clock ended searched less than they could have. nodal compare --rerun contaminated runs them again.",
-      kDisturbed, disturbed, trials);
+      "{} {} of {} trials did not have a processor core to themselves, or one that was slow at the time ({}): their "
+      "times "
+      "are too long, and those that the clock ended searched less than they could have. nodal compare --rerun "
+      "contaminated "
+      "runs them again.",
+      kDisturbed, disturbed, trials, fmt::join(whose, ", "));
+}
+
+// Which trials times come from, where it isn't all of them.
+std::optional<std::string> timed_note(const std::vector<OptimizerRow>& rows) {
+  std::map<std::pair<std::size_t, std::size_t>, std::vector<std::string>> parts;  // timed of all, and whose
+  for (const OptimizerRow& row : rows)
+    if (row.timed_alone && row.timed > 0 && row.timed < row.trials) parts[{row.timed, row.trials}].push_back(row.label);
+  if (parts.empty()) return std::nullopt;
+  std::vector<std::string> texts;
+  for (const auto& [of, labels] : parts)
+    texts.push_back(fmt::format("{} of {} ({})", of.first, of.second, fmt::join(labels, ", ")));
+  return fmt::format("Times are of the trials that ran alone and undisturbed, all else is of all: {}.",
+                     fmt::join(texts, ", "));
+}
+
+std::optional<std::string> beside_note(const std::vector<OptimizerRow>& rows) {
+  std::vector<std::string> labels;
+  for (const OptimizerRow& row : rows)
+    if (!row.timed_alone && row.trials > 0 && row.contaminated < row.trials) labels.push_back(row.label);
+  if (labels.empty()) return std::nullopt;
+  return fmt::format(
+      "No trial of {} ran alone and undisturbed: times are longer than they would be. nodal compare --time-lane 3 runs "
+      "three of each once more.",
+      fmt::join(labels, ", "));
 }
 
 // Who is worse than the start where nothing was fitted, with the figures.
@@ -145,8 +176,9 @@ std::vector<std::string> table_notes(const ProblemReport& problem) {
   std::vector<std::string> notes;
   for (const std::string& note : problem.notes) notes.push_back(fmt::format("At the start: {}.", note));
   for (std::optional<std::string>& note :
-       std::array{disturbed_note(table.rows), worse_unseen_note(table), risen_unseen_note(table),
-                  missing_unseen_note(table), validated_note(table), floor_note(problem), digits_note(problem)})
+       std::array{disturbed_note(table.rows), timed_note(table.rows), beside_note(table.rows), worse_unseen_note(table),
+                  risen_unseen_note(table), missing_unseen_note(table), validated_note(table), floor_note(problem),
+                  digits_note(problem)})
     if (note) notes.push_back(std::move(*note));
   add_scrutiny(problem.scrutiny, notes);
   return notes;

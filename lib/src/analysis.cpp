@@ -121,10 +121,13 @@ TargetRow target_row(std::span<const TrialRecord* const> trials, const ProblemRe
   row.gap = gap;
   std::set<RunKey> runs;
   std::array<std::vector<std::optional<double>>, kAxes.size()> when;
+  const std::vector<const TrialRecord*> timed = timed_trials(trials);
   for (std::size_t i = 0; i < trials.size(); ++i) {
     const TrialRecord& trial = *trials[i];
     const Arrival arrival = arrival_of(trial, reference, gap);
-    for (std::size_t a = 0; a < kAxes.size(); ++a) when[a].push_back(arrival.where(trial, kAxes[a]));
+    for (std::size_t a = 0; a < kAxes.size(); ++a)
+      if (kAxes[a] != Axis::seconds || std::ranges::find(timed, &trial) != timed.end())
+        when[a].push_back(arrival.where(trial, kAxes[a]));
     if (runs.insert(run_key(trial, arrival, deterministic, i)).second) row.reached += arrival.reached();
   }
   for (std::size_t a = 0; a < kAxes.size(); ++a) row.median[a] = median_or_never(when[a]);
@@ -206,7 +209,10 @@ OptimizerRow make_row(const RowRequest& request, std::span<const TrialRecord* co
   set_unseen(trials, row);
   row.evaluations = quartiles_of(trials, count([](const TrialRecord& t) { return t.counts.evaluations; }));
   row.factorizations = quartiles_of(trials, count([](const TrialRecord& t) { return t.work.factorizations; }));
-  row.seconds = quartiles_of(trials, count([](const TrialRecord& t) { return t.seconds.total; }));
+  const std::vector<const TrialRecord*> timed = timed_trials(trials);
+  row.timed = timed.size();
+  row.timed_alone = std::ranges::any_of(timed, [](const TrialRecord* t) { return ran_alone_undisturbed(*t); });
+  row.seconds = quartiles_of(timed, count([](const TrialRecord& t) { return t.seconds.total; }));
   row.work = quartiles_of(trials, count([](const TrialRecord& t) { return end_position(t, Axis::work); }));
   for (std::size_t i = 0; i < kTargetGaps.size(); ++i)
     row.targets[i] = target_row(trials, reference, kTargetGaps[i], request.deterministic);

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <nodal/compare.h>
 
-#include <sched.h>
-
 #include <algorithm>
+#include <chrono>
 #include <deque>
 #include <thread>
 #include <unordered_set>
@@ -14,9 +13,14 @@
 
 #include <nodal/provenance.h>
 
+#include "clocked_trial.h"
+#include "contamination.h"
+#include "core.h"
+#include "lane_trials.h"
 #include "rerun.h"
 #include "running_trials.h"
 #include "trial_claims.h"
+#include "timing_lane.h"
 
 namespace nodal {
 
@@ -30,14 +34,6 @@ constexpr int kMostStops = 3;
 constexpr double kMostPatience = 600.0;
 constexpr std::chrono::milliseconds kWaitForOthers{100};
 
-// Those of this process's mask (taskset, cpusets); std::thread::hardware_concurrency counts the machine's.
-std::int64_t allowed_cores() {
-  cpu_set_t mask;
-  CPU_ZERO(&mask);
-  if (::sched_getaffinity(0, sizeof mask, &mask) == 0) return std::max(1, CPU_COUNT(&mask));
-  return std::max(1u, std::thread::hardware_concurrency());  // more than the mask has room for
-}
-
 class Comparison {
  public:
   Comparison(const Study& study, const Registry& registry, Store& store, const CompareOptions& options,
@@ -47,7 +43,8 @@ class Comparison {
         store_(store),
         options_(options),
         observer_(observer),
-        rerun_(read_rerun(study, options.rerun, options.fresh)) {}
+        rerun_(read_rerun(study, options.rerun, options.fresh)),
+        lane_(!options.keys) {}
 
   CompareResult run() {
     store_.begin(study_);
@@ -56,10 +53,13 @@ class Comparison {
     find_missing();
     describe_conditions();
     share_work();
-    if (options_.isolate)
+    if (options_.isolate) {
       run_children();
-    else
+      begin_timing();
+      run_children();
+    } else {
       run_here();
+    }
     if (shared_) count_failures_of_all();
     if (claims_ && !store_.other_writer()) claims_->leave_last();
     result_.interrupted = interrupted() && done_ < total_;
@@ -144,12 +144,29 @@ class Comparison {
       if (const TrialRecord* record = all.find(trial_key(study_, trial))) result_.failed += is_failure(record->end);
   }
 
+  // Trials that ran beside others and lack company that ran alone, once more. Whoever runs a share sees too little for
+  // that, and nobody is alone while others work here: their times wait for the next comparison.
+  void begin_timing() {
+    missing_.clear();
+    if (options_.keys || options_.time_lane <= 0 || done_ < total_) return;
+    if (shared_ || store_.other_writer()) return;
+    for (const Trial& trial : lane_trials(study_, store_, options_.time_lane))
+      missing_.push_back({trial, store_.find(trial_key(study_, trial))->attempt + 1});
+    if (missing_.empty()) return;
+    conditions_.jobs = 1;
+    total_ += missing_.size();
+    timing_ = true;
+    if (observer_.timing) observer_.timing(missing_.size());
+  }
+
+  bool alone() const { return options_.isolate && conditions_.jobs == 1; }
+
   void keep(TrialRecord record, const Missing& entry, Clock::time_point began, bool stopped) {
     look_for_others();
     record.attempt = entry.attempt;
-    record.conditions = conditions_;
-    record.conditions->beside_others = others_seen_ && *others_seen_ >= began;
-    record.conditions->stopped = stopped;
+    describe_conditions(record, began, stopped);
+    if (alone()) note_lane(record);
+    if (timing_) compare_with_former(record);
     store_.append(record);
     if (claims_) claims_->done(record.key, record.attempt);
     ++result_.ran;
@@ -158,23 +175,52 @@ class Comparison {
     if (observer_.finished) observer_.finished(record, done_, total_);
   }
 
-  // A forked process meets the program's pages one by one, which can take longer than a hundred small evaluations. One
-  // value of an evaluator that is thrown away takes that out of the trial's times, for every method alike.
-  void warm_up(const Trial& trial) const {
-    const Problem& problem = *study_.problems.at(trial.problem).problem;
-    try {
-      (void)problem.make_evaluator()->value(problem.space().start());
-    } catch (...) {  // the trial will say what is wrong
-    }
+  // What its process says of itself is in it already.
+  void describe_conditions(TrialRecord& record, Clock::time_point began, bool stopped) {
+    const Conditions own = record.conditions.value_or(Conditions());
+    Conditions& conditions = record.conditions.emplace(conditions_);
+    conditions.beside_others = others_seen_ && *others_seen_ >= began;
+    conditions.stopped = stopped;
+    conditions.core = own.core;
+    conditions.preempted = own.preempted;
+    conditions.waited = own.waited;
+    conditions.cold = own.cold;
+  }
+
+  void compare_with_former(const TrialRecord& record) {
+    const TrialRecord& former = *store_.find(record.key);
+    if (const std::string difference = lane_difference(study_, former, record); !difference.empty())
+      warn(fmt::format("{}, repeat {}, did something else when it ran alone: {}", record.optimizer, record.repeat,
+                       difference));
+  }
+
+  // A trial that is followed by a look has the worse of two.
+  void note_lane(TrialRecord& record) {
+    record.conditions->pace = lane_.pace();
+    lane_.ran(record);
+    if (!lane_.due()) return;
+    look_at_lane();
+    record.conditions->pace = std::max(*record.conditions->pace, lane_.pace());
+  }
+
+  // A core that has become slow since the last look was so for some of the trials since then: nobody knows for which.
+  void look_at_lane() {
+    if (!lane_.used()) return;
+    const double before = lane_.pace();
+    lane_.look();
+    if (before <= kLargestPace && lane_.pace() > kLargestPace)
+      warn(
+          fmt::format("the core has become {:.2f} times as slow as at its fastest: what runs now is marked as "
+                      "contaminated, what ran in the seconds before may have been disturbed, too",
+                      lane_.pace()));
   }
 
   // The record as it is stored. What JSON can't hold (a relative error that is NaN, say) and an exception that is no
   // std::exception are rows with their reason, too.
   std::string run_to_line(const Trial& trial) const {
     std::string reason;
-    warm_up(trial);
     try {
-      return to_json_line(run_trial(study_, trial, registry_));
+      return to_json_line(run_clocked_trial(study_, trial, registry_, alone() ? lane_.core() : std::nullopt));
     } catch (const std::exception& error) {
       reason = error.what();
     } catch (...) {
@@ -197,6 +243,7 @@ class Comparison {
     for (std::size_t i = 0; i < missing_.size(); ++i) next.push_back(i);
     RunningTrials running(
         study_, [this](const Trial& trial) { return run_to_line(trial); }, options_.grace_seconds);
+    if (alone() && !next.empty()) (void)lane_.pace();  // the first look, before the first trial
     while (!interrupted() && (!next.empty() || running.size() > 0)) {
       start_trials(next, running);
       for (EndedTrial& ended : running.wait()) {
@@ -209,13 +256,14 @@ class Comparison {
       }
       look_for_others();
     }
+    if (alone()) look_at_lane();
     // What an interrupt left running is killed here: it is not stored and runs again next time.
   }
 
   // As many as may run at once. Those that another comparison runs stay in the list until it has stored them, or has
   // died.
   void start_trials(std::deque<std::size_t>& next, RunningTrials& running) {
-    const auto jobs = static_cast<std::size_t>(std::max(1, options_.jobs));
+    const auto jobs = static_cast<std::size_t>(conditions_.jobs);
     for (std::size_t looks = next.size(); looks > 0 && running.size() < jobs; --looks) {
       const std::size_t ticket = next.front();
       next.pop_front();
@@ -241,6 +289,8 @@ class Comparison {
   const CompareObserver& observer_;
   Rerun rerun_;
   Conditions conditions_;
+  TimingLane lane_;
+  bool timing_ = false;  // trials that are stored run once more
   std::vector<Missing> missing_;
   std::optional<TrialClaims> claims_;  // where work is shared
   bool shared_ = false;                // others have run some of it

@@ -31,6 +31,10 @@ class Walk {
   std::size_t next_ = 0;
 };
 
+std::vector<const TrialRecord*> counting(std::span<const TrialRecord* const> trials, Axis axis) {
+  return axis == Axis::seconds ? timed_trials(trials) : std::vector(trials.begin(), trials.end());
+}
+
 // The axis is logarithmic: evaluation 0 and second 0 stand at its left end.
 double left_end(std::span<const Way> ways, Axis axis) {
   if (axis != Axis::seconds) return 1.0;
@@ -70,13 +74,13 @@ std::vector<CurvePoint> curve_of(std::span<const Way> ways, Axis axis, std::size
 
 std::vector<CurvePoint> make_curve(std::span<const TrialRecord* const> trials, Axis axis, std::size_t points) {
   std::vector<Way> ways;
-  for (const TrialRecord* trial : trials) ways.push_back({trial, trial->trace});
+  for (const TrialRecord* trial : counting(trials, axis)) ways.push_back({trial, trial->trace});
   return curve_of(ways, axis, points);
 }
 
 std::vector<CurvePoint> make_unseen_curve(std::span<const TrialRecord* const> trials, Axis axis, std::size_t points) {
   std::vector<Way> ways;
-  for (const TrialRecord* trial : trials) {
+  for (const TrialRecord* trial : counting(trials, axis)) {
     if (!trial->unseen || trial->unseen->points.empty()) continue;
     Way& way = ways.emplace_back(Way{trial, {}});
     for (const UnseenPoint& point : trial->unseen->points) {

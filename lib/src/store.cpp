@@ -47,16 +47,24 @@ struct Store::State {
   TrialFile file;
   std::unique_ptr<StoreLock> lock;                  // since `begin`
   std::optional<std::pair<dev_t, ino_t>> identity;  // of the directory, since `begin`
+  InMemory in_memory;
 
-  explicit State(fs::path path) : directory(std::move(path)), file(directory) {
+  explicit State(fs::path path, InMemory memory = InMemory::whole)
+      : directory(std::move(path)), file(directory), in_memory(memory) {
     try {
       manifest = read_manifest(directory / kManifest);
-      StoredLines lines = read_trial_files(directory);
+      StoredLines lines = read_trial_files(directory, [this](TrialRecord& record) { shorten(record); });
       for (TrialRecord& record : lines.records) add(std::move(record));
       for (const TornLine& line : lines.torn) warn_of_torn(line);
     } catch (const fs::filesystem_error& error) {
       throw InputError(fmt::format("cannot read '{}': {}", error.path1().string(), error.code().message()));
     }
+  }
+
+  void shorten(TrialRecord& record) const {
+    if (in_memory == InMemory::whole) return;
+    record.trace = {};
+    record.unseen.reset();
   }
 
   // Of two with one key the later attempt counts; of two with one attempt, which two comparisons at once may leave, the
@@ -102,7 +110,8 @@ struct Store::State {
   }
 };
 
-Store::Store(std::filesystem::path directory) : state_(std::make_unique<State>(std::move(directory))) {
+Store::Store(std::filesystem::path directory, InMemory in_memory)
+    : state_(std::make_unique<State>(std::move(directory), in_memory)) {
   make_directory(state_->directory);
 }
 
@@ -158,7 +167,9 @@ void Store::begin(const Study& study) {
 void Store::append(const TrialRecord& record) {
   state_->require_in_place();
   state_->file.append(to_json_line(record));
-  state_->add(record);
+  TrialRecord kept = record;
+  state_->shorten(kept);
+  state_->add(std::move(kept));
 }
 
 std::optional<int> Store::other_writer() const noexcept {

@@ -5,16 +5,14 @@
 #include <cmath>
 #include <exception>
 #include <limits>
-#include <stdexcept>
 
-#include <nodal/agreement.h>
 #include <nodal/alternating.h>
 #include <nodal/shown.h>
 
 #include "independent_look.h"
 #include "known_quality.h"
-#include "multi_start.h"
 #include "trial_audit.h"
+#include "trial_search.h"
 #include "trial_unseen.h"
 
 namespace nodal {
@@ -23,17 +21,6 @@ namespace {
 
 // A deterministic method from one start ends in the same place every time: these repeats are for its run time.
 constexpr int kDeterministicRepeats = 3;
-
-std::uint64_t stream_key(const Study& study, const std::string& problem, const std::string& purpose, int repeat) {
-  constexpr std::uint64_t kLow53Bits = (std::uint64_t{1} << 53) - 1;
-  const Value::List parts = {Value(study.seed), Value(problem), Value(purpose), Value(repeat)};
-  return hash64(to_canonical_json(Value(parts))) & kLow53Bits;
-}
-
-std::uint64_t trial_seed(const Study& study, const Trial& trial) {
-  return stream_key(study, study.problems.at(trial.problem).label,
-                    "optimizer " + study.optimizers.at(trial.optimizer).label, trial.repeat);
-}
 
 TrialRecord blank_record(const Study& study, const Trial& trial) {
   const StudyOptimizer& optimizer = study.optimizers.at(trial.optimizer);
@@ -46,13 +33,6 @@ TrialRecord blank_record(const Study& study, const Trial& trial) {
   record.seed = trial_seed(study, trial);
   record.options = optimizer.options.values();
   return record;
-}
-
-std::unique_ptr<Optimizer> make_optimizer(const StudyOptimizer& entry, const Registry& registry) {
-  const OptimizerDescription* description = registry.find_optimizer(entry.use);
-  if (!description) throw std::logic_error("optimizer '" + entry.use + "' is not registered");
-  if (!entry.multi_start) return description->make(entry.options);
-  return std::make_unique<MultiStart>([description, &entry] { return description->make(entry.options); });
 }
 
 // One trial while it runs: the objects that are made afresh for it, and what becomes of them.
@@ -80,11 +60,11 @@ class Run {
 
     const std::unique_ptr<Evaluator> evaluator = problem_.make_evaluator();
     const std::vector<double> start = trial_start(study_, trial_);
-    Meter meter(problem_, *evaluator, start, limits(), began);
+    Meter meter(problem_, *evaluator, start, trial_limits(study_), began);
     record_.flops_per_value = evaluator->work().flops;
 
     const double search_began = since();
-    const Outcome outcome = search(meter, start);
+    const Outcome outcome = search(study_, trial_, registry_, meter, start);
     const double search_ended = since();
 
     record_.work = evaluator->work();

@@ -66,9 +66,12 @@ std::string key_in(std::string_view line) {
   return whole ? std::string(key) : std::string();
 }
 
-void read_line(const std::string& where, std::string_view line, StoredLines& result) {
+using Each = std::function<void(TrialRecord&)>;
+
+void read_line(const std::string& where, std::string_view line, const Each& each, StoredLines& result) {
   try {
-    result.records.push_back(parse_record(line, where));
+    TrialRecord& record = result.records.emplace_back(parse_record(line, where));
+    if (each) each(record);
   } catch (const NewerSchemaError&) {
     throw;
   } catch (const InputError& error) {
@@ -83,7 +86,7 @@ void read_line(const std::string& where, std::string_view line, StoredLines& res
 
 }  // namespace
 
-StoredLines read_trial_files(const fs::path& store) {
+StoredLines read_trial_files(const fs::path& store, const Each& each) {
   StoredLines result;
   for (const fs::path& file : files_in_order(store)) {
     const std::string text = read_file(file, "", kLargestTrialsFile);
@@ -92,7 +95,7 @@ StoredLines read_trial_files(const fs::path& store) {
       const std::size_t end = std::min(text.find('\n', begin), text.size());
       ++number;
       const std::string_view line = std::string_view(text).substr(begin, end - begin);
-      if (!line.empty()) read_line(fmt::format("{}:{}", file.string(), number), line, result);
+      if (!line.empty()) read_line(fmt::format("{}:{}", file.string(), number), line, each, result);
       begin = end + 1;
     }
   }

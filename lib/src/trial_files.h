@@ -4,6 +4,7 @@
 /// The files trials/*.jsonl of a store: one per writing process, append-only.
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -22,8 +23,10 @@ struct StoredLines {
   std::vector<TornLine> torn;
 };
 
-/// Of a store's directory. InputError for files that can't be read; NewerSchemaError.
-[[nodiscard]] StoredLines read_trial_files(const std::filesystem::path& store);
+/// Of a store's directory; `each` record may be changed before the next is read. InputError for files that can't be
+/// read; NewerSchemaError.
+[[nodiscard]] StoredLines read_trial_files(const std::filesystem::path& store,
+                                           const std::function<void(TrialRecord&)>& each = {});
 
 /// The file of this process. It is open only while a line is written, so that children never hold it.
 class TrialFile {

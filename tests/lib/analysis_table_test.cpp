@@ -75,6 +75,31 @@ TEST(Table, CountsTrialsThatWereDisturbed) {
   EXPECT_EQ(make_table("p", std::nullopt, rows, records).rows[0].contaminated, 2u);
 }
 
+// Two of five ran alone, one of these on a slow core: seconds are those of the other, evaluations of all five.
+TEST(Table, TakesTimesFromTrialsThatRanAloneAndUndisturbed) {
+  std::vector<TrialRecord> records;
+  for (int repeat = 0; repeat < 5; ++repeat) {
+    TrialRecord& record = records.emplace_back(trial("a", repeat, {{10 * (repeat + 1), 1.0}}));
+    record.seconds.cpu = record.seconds.total = 1.0 + repeat;
+    record.conditions = Conditions{"", "", repeat < 3 ? 2 : 1, 2, false, false};
+  }
+  records[4].conditions->pace = 1.3;
+  const std::vector<RowRequest> rows = {{"a", "a", false}};
+  const KnownOptimum known{0.9, "made"};
+  const auto row = [&] { return make_table("p", known, rows, records).rows[0]; };
+  EXPECT_EQ(row().timed, 1u);
+  EXPECT_TRUE(row().timed_alone);
+  expect_quartiles(row().seconds, 4.0, 4.0, 4.0);
+  EXPECT_DOUBLE_EQ(row().target(1e-1).median[static_cast<std::size_t>(Axis::seconds)].value(), 4.0);
+  EXPECT_DOUBLE_EQ(row().target(1e-1).median[static_cast<std::size_t>(Axis::evaluations)].value(), 30.0);
+  EXPECT_EQ(make_curve(pointers(records), Axis::seconds).back().position, 4.0);
+  EXPECT_EQ(make_curve(pointers(records), Axis::evaluations).back().quality.median, 1.0);
+  records[3].conditions->jobs = 2;
+  EXPECT_EQ(row().timed, 5u);
+  EXPECT_FALSE(row().timed_alone);
+  expect_quartiles(row().seconds, 2.0, 3.0, 4.0);
+}
+
 TEST(Table, CountsATrialThatNeverGotThereAsInfinitelyLong) {
   const Race race;
   const ProblemTable table = race.table();

@@ -64,14 +64,15 @@ TEST(Compare, RunsWhatWasContaminatedAgainWhenAsked) {
   const TemporaryDirectory directory;
   const Study study = study_with(use("halving") + use("wanderer"), once());
   EXPECT_EQ(run(study, directory, {.jobs = 1}).ran, 2u);
-  TrialRecord disturbed = Store(directory.path()).records().at(0);
-  disturbed.attempt = 2;
-  disturbed.seconds.total = 1.0;
-  disturbed.seconds.cpu = 0.5;
-  Store(directory.path()).append(disturbed);
+  Store store(directory.path());
+  for (TrialRecord record : std::vector(store.records())) {  // whatever the machine did to them
+    record.attempt = 2;
+    record.conditions->pace = record.optimizer == "halving" ? 1.3 : 1.0;
+    record.seconds.cpu = record.seconds.total;
+    store.append(record);
+  }
   EXPECT_EQ(run(study, directory, {.rerun = {"contaminated"}}).ran, 1u);
-  EXPECT_EQ(attempts(directory), (std::set<std::string>{"halving 0: 3", "wanderer 0: 1"}));
-  EXPECT_EQ(run(study, directory, {.rerun = {"contaminated"}}).ran, 0u);
+  EXPECT_EQ(attempts(directory), (std::set<std::string>{"halving 0: 3", "wanderer 0: 2"}));
 }
 
 TEST(Compare, RefusesToRunAgainWhatItDoesNotKnow) {

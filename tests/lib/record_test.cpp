@@ -235,6 +235,24 @@ TEST(Contamination, IsSharingCoresAndBeingStoppedToo) {
             "was stopped while it ran; got 0.25 of a core");
 }
 
+TEST(Contamination, IsASlowCore) {
+  Conditions conditions{"b", "p", 1, 2, false, false};
+  conditions.pace = 1.15;
+  EXPECT_EQ(contamination(with_times(1.0, 1.0, conditions)), "");
+  conditions.pace = 1.3;
+  EXPECT_EQ(contamination(with_times(1.0, 1.0, conditions)),
+            "ran when its core was 1.30 times as slow as at its fastest");
+}
+
+TEST(Contamination, IsACoreTakenFromAShortTrial) {
+  Conditions conditions{"b", "p", 1, 2, false, false};
+  conditions.preempted = 0;
+  EXPECT_EQ(contamination(with_times(0.004, 0.002, conditions)), "");
+  conditions.preempted = 1;
+  EXPECT_EQ(contamination(with_times(0.004, 0.002, conditions)), "got 0.50 of a core");
+  EXPECT_EQ(contamination(with_times(0.004, 0.0039, conditions)), "");
+}
+
 TEST(Record, HasAnErrorForEveryNameOfItsUnseenPoints) {
   EXPECT_NE(refusal_with("unseen.names", Value(Value::List{"a", "b", "c"})).find("2 errors for 3 names"),
             std::string::npos);

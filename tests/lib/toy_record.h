@@ -28,8 +28,8 @@ inline TrialRecord full_record() {
   r.counts = {1, 2, 3, 4, 5, 6, 7, 8, 9};
   r.work = {10, 11, 12, 13.5, 6.25};
   r.flops_per_value = 1.25;
-  r.seconds = {0.5, 0.3, 0.15, 0.05, 0.4, 0.45};
-  r.conditions = Conditions{"89abcdef01234567", "A Processor @ 3 GHz", 3, 2, true, true};
+  r.seconds = {0.5, 0.3, 0.15, 0.05, 0.4, 0.45, 0.02};
+  r.conditions = Conditions{"89abcdef01234567", "A Processor @ 3 GHz", 3, 2, true, true, 1, 4, 5, 1.0625, 1.75};
   r.trace = {{0, 1e-6, 1, 3.5}, {41, 0.4, 40, 0.2}};
   r.claimed = ClaimRecord{0.1, true, 44, "XTOL_REACHED"};
   r.health = {1e-12, 5e-17, 2e-16, 3e-10, 2, {{"spread", 1e4}}};
@@ -65,7 +65,7 @@ inline void expect_equal(const Work& a, const Work& b) {
 
 inline void expect_equal(const Seconds& a, const Seconds& b) {
   const auto all = [](const Seconds& s) {
-    return std::vector{s.total, s.evaluation, s.optimizer, s.harness, s.to_best, s.cpu};
+    return std::vector{s.total, s.evaluation, s.optimizer, s.harness, s.to_best, s.cpu, s.warm_up.value_or(-1.0)};
   };
   EXPECT_EQ(all(a), all(b));
 }
@@ -77,6 +77,11 @@ inline void expect_equal(const Conditions& a, const Conditions& b) {
   EXPECT_EQ(a.cores, b.cores);
   EXPECT_EQ(a.beside_others, b.beside_others);
   EXPECT_EQ(a.stopped, b.stopped);
+  EXPECT_EQ(a.core, b.core);
+  EXPECT_EQ(a.preempted, b.preempted);
+  EXPECT_EQ(a.waited, b.waited);
+  EXPECT_EQ(a.pace, b.pace);
+  EXPECT_EQ(a.cold, b.cold);
 }
 
 inline void expect_equal(const std::vector<TracePoint>& a, const std::vector<TracePoint>& b) {

@@ -43,6 +43,13 @@ struct Quartiles {
 /// Linear interpolation between order statistics (Hyndman & Fan type 7); empty for no values.
 [[nodiscard]] std::optional<Quartiles> quartiles(std::vector<double> values);
 
+/// No other trial of its comparison ran beside it; of a record that doesn't say, nobody knows better.
+[[nodiscard]] bool ran_alone(const TrialRecord& record);
+[[nodiscard]] bool ran_alone_undisturbed(const TrialRecord& record);  ///< … and has no `contamination`
+/// Those of an optimizer's trials whose seconds count: that ran alone and undisturbed, or all where none did.
+/// Everything that isn't seconds is of all trials.
+[[nodiscard]] std::vector<const TrialRecord*> timed_trials(std::span<const TrialRecord* const> trials);
+
 /// The problem of a table: what G is measured against.
 struct ProblemReference {
   std::string label;
@@ -77,6 +84,8 @@ struct OptimizerRow {
   std::size_t starts = 0;                            ///< distinct ones
   bool deterministic = false;                        ///< the method: its repeats from one start measure time only
   std::size_t contaminated = 0;                      ///< trials whose times are not to be trusted: `contamination`
+  std::size_t timed = 0;                             ///< trials that seconds come from: `timed_trials`
+  bool timed_alone = true;                           ///< false: none ran alone and undisturbed, seconds are of all
   std::optional<Quartiles> quality, relative_error;  ///< of the best points
   std::optional<Quartiles> data_quality;             ///< … without the prior's share (PointSummary)
   std::optional<Quartiles> at_bounds;                ///< coordinates of the best points that lie at a bound
@@ -130,7 +139,8 @@ struct RowRequest {
 [[nodiscard]] double end_position(const TrialRecord& record, Axis axis);
 
 /// Best quality so far over an axis: median and quartiles over an optimizer's trials at logarithmically spaced
-/// positions. A trial that has ended keeps its best. Begins where the median trial has its first point.
+/// positions. A trial that has ended keeps its best. Begins where the median trial has its first point. Over seconds of
+/// the `timed_trials`.
 struct CurvePoint {
   double position = 0.0;
   Quartiles quality;

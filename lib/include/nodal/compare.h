@@ -21,7 +21,11 @@
 namespace nodal {
 
 struct CompareOptions {
-  int jobs = 1;                 ///< trials at once; times stay clean with 1
+  int jobs = 1;  ///< trials at once; times stay clean with 1
+  /// Where trials ran beside others, now or when they were stored: how many of each optimizer on each problem run once
+  /// more in the end, alone, for their times (`timed_trials` in analysis.h). These records replace the former ones;
+  /// but for seconds they must be the same where the clock ended neither, or a warning says so. Not with `keys`.
+  int time_lane = 0;
   bool isolate = true;          ///< false runs trials in this process, one after the other
   double grace_seconds = 30.0;  ///< a trial is killed this long after ten times its budget of seconds [s]
   /// Stored trials that run again: of the optimizers with these labels (or the `use` of exactly one entry), or those
@@ -40,12 +44,14 @@ struct CompareObserver {
   /// Trials asked for, and how many of them the store already has.
   std::function<void(std::size_t total, std::size_t stored)> began;
   std::function<void(const TrialRecord& record, std::size_t done, std::size_t total)> finished;
+  /// All trials have run, and so many do once more, alone: `total` grows by them.
+  std::function<void(std::size_t trials)> timing;
   /// What people should know at once: the store's own warnings, and others that arise while trials run.
   std::function<void(const std::string& warning)> warned;
 };
 
 struct CompareResult {
-  std::size_t ran = 0;
+  std::size_t ran = 0;     ///< those that ran once more for their times included
   std::size_t failed = 0;  ///< of the trials asked for, stored ones included: ended failed, timeout or crashed
   bool interrupted = false;
 };
@@ -61,6 +67,11 @@ void require_comparable(const Study& study, const CompareOptions& options = {});
 /// that writes to the same store, on this machine or another, is warned of and noted in the records; the two share the
 /// trials, each claiming those that it runs, and wait for each other's last ones. What a comparison that died had
 /// claimed is taken over once it has been silent for as long as a trial may take, 10 minutes at most.
+///
+/// Before a trial its child runs the beginning of it once, which is thrown away, so that no method pays for being first
+/// to touch code and memory. Trials that run one at a time do so on one core, whose speed is looked at at first, in the
+/// end, and after every 5 s of trials; those after a look that found it slow, or around one, are contaminated. Trials
+/// of a share run where the system puts them.
 CompareResult compare(const Study& study, const Registry& registry, Store& store, const CompareOptions& options,
                       const CompareObserver& observer = {});
 

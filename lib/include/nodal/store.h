@@ -24,10 +24,14 @@
 
 namespace nodal {
 
+/// What a store keeps of its records in memory: all, or what `compare` asks for, without what is long (traces, points,
+/// what was held out), which is in the files. A process that forks for every trial copies its page tables each time.
+enum class InMemory { whole, short_records };
+
 class Store {
  public:
   /// Opens a store for reading and, with the first `append`, for writing. The directory is made when it isn't there.
-  explicit Store(std::filesystem::path directory);
+  explicit Store(std::filesystem::path directory, InMemory in_memory = InMemory::whole);
   /// Opens a store that must exist, for reading; nothing is created.
   [[nodiscard]] static Store open_existing(const std::filesystem::path& directory);
   ~Store();
@@ -42,7 +46,7 @@ class Store {
   /// Dropped lines, another study, trials of other builds or processors (than this one after `begin`, than the last
   /// run's in a store opened for reading), for people.
   [[nodiscard]] const std::vector<std::string>& warnings() const noexcept;
-  /// Every valid record, oldest first; of several with one key that of the latest attempt.
+  /// Every valid record, oldest first; of several with one key that of the latest attempt. As much of each as is kept.
   [[nodiscard]] const std::vector<TrialRecord>& records() const noexcept;
   [[nodiscard]] const TrialRecord* find(std::string_view key) const;
 

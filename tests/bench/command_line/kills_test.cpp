@@ -85,7 +85,8 @@ class Killing : public testing::TestWithParam<Kind> {
   Killing() { folder_.write("s.toml", kStudy); }
 
   Output run_until_killed(const std::string& out, std::chrono::milliseconds moment) {
-    Started program(folder_, {"compare", "s.toml", "--out", out, "--jobs", std::to_string(1 + random_() % 2)});
+    Started program(
+        folder_, {"compare", "s.toml", "--out", out, "--time-lane", "0", "--jobs", std::to_string(1 + random_() % 2)});
     ::setpgid(program.process(), program.process());
     if (random_() % 8 != 0) wait_for_a_trial(program.process());  // else at its very beginning
     std::this_thread::sleep_for(moment);
@@ -94,7 +95,7 @@ class Killing : public testing::TestWithParam<Kind> {
   }
 
   void expect_whole(const std::string& out) {
-    const Output last = run(folder_, {"compare", "s.toml", "--out", out});
+    const Output last = run(folder_, {"compare", "s.toml", "--out", out, "--time-lane", "0"});
     EXPECT_EQ(last.exit, 0) << last.err;
     const Store store = Store::open_existing(folder_.path() / out);
     EXPECT_TRUE(store.warnings().empty()) << store.warnings().front();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include <fmt/format.h>
 #include <nodal/show/number_text.h>
 #include <report/report.h>
 
@@ -110,6 +111,27 @@ TEST(ConsoleTable, MarksTrialsThatWereDisturbed) {
     EXPECT_NE(text.find("annealing (baseline) †"), std::string::npos);
     EXPECT_NE(text.find("random-search †"), std::string::npos);
     EXPECT_NE(text.find("† 3 of 33 trials did not have a processor core to themselves"), std::string::npos) << text;
+    EXPECT_NE(text.find("(annealing 2, random-search 1)"), std::string::npos) << text;
+  }
+}
+
+TEST(ConsoleTable, SaysWhichTrialsTimesComeFrom) {
+  ReportData data = fixture::make_data();
+  EXPECT_EQ(console_table(data).find("ran alone"), std::string::npos);
+  std::vector<OptimizerRow>& rows = data.problems[0].table.rows;
+  for (OptimizerRow& row : rows) row.timed = row.trials;
+  EXPECT_EQ(console_table(data).find("ran alone"), std::string::npos);
+  rows[0].timed = 3;
+  rows[2].timed_alone = false;
+  for (const std::string& text : {console_table(data, 400), report_html(data)}) {
+    EXPECT_NE(
+        text.find(fmt::format("Times are of the trials that ran alone and undisturbed, all else is of all: 3 of {} "
+                              "({}).",
+                              rows[0].trials, rows[0].label)),
+        std::string::npos)
+        << text;
+    EXPECT_NE(text.find(fmt::format("No trial of {} ran alone and undisturbed", rows[2].label)), std::string::npos)
+        << text;
   }
 }
 
