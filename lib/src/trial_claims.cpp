@@ -97,6 +97,7 @@ TrialClaims::~TrialClaims() {
 TrialClaims::Answer TrialClaims::claim(const std::string& key, std::int64_t attempt) {
   if (own_.empty()) return Answer::granted;
   const std::string name = file_name(key, attempt);
+  if (held_.contains(name)) return Answer::granted;  // it runs again
   constexpr int kTries = 3;  // a claim may be given back between two looks
   for (int i = 0; i < kTries; ++i) {
     if (make(name)) return Answer::granted;
