@@ -16,6 +16,7 @@
 
 #include "commands.h"
 #include "console.h"
+#include "exchange/format.h"
 #include "problem_command.h"
 #include "usage_error.h"
 
@@ -225,6 +226,23 @@ void add_verify(CLI::App& app, const Registry& registry, int& exit) {
   command.add_option("--seed", to->seed, "Which (default: 1)");
 }
 
+void add_export(CLI::App& app, const Registry& registry, int& exit) {
+  const auto to = std::make_shared<ExportArguments>();
+  CLI::App& command = add_command(app, "export", "Write stored trials for the tools of other benchmarks",
+                                  export_command, registry, exit, to);
+  command.add_option("stores", to->directories, "Directories that nodal compare wrote")->required()->type_name("DIR…");
+  std::vector<std::string> names;
+  std::string help = "In which format:";
+  for (const exchange::Format& format : exchange::formats()) {
+    names.emplace_back(format.name);
+    help += fmt::format("{} {} ({})", names.size() == 1 ? "" : ",", format.name, format.summary);
+  }
+  command.add_option("--format", to->format, help)->required()->check(CLI::IsMember(names));
+  command.add_option("--out", to->out, "Where they go, a folder for each optimizer: a new folder")
+      ->required()
+      ->type_name("DIR");
+}
+
 void add_explain(CLI::App& app, const Registry& registry, int& exit) {
   const auto to = std::make_shared<ExplainArguments>();
   CLI::App& command =
@@ -234,6 +252,29 @@ void add_explain(CLI::App& app, const Registry& registry, int& exit) {
   command.add_flag("--trials", to->trials, "Every trial with its key");
   add_repeats(command, to->overrides);
   add_budget(command, to->overrides);
+}
+
+void add_init(CLI::App& app, const Registry& registry, int& exit) {
+  const auto to = std::make_shared<InitArguments>();
+  CLI::App& command =
+      add_command(app, "init", "Write a study to begin with, every key explained", init_command, registry, exit, to);
+  command.add_option("file", to->file, "A new file (default: stdout)")->type_name("FILE");
+  std::vector<std::string> kinds;
+  for (const ProblemDescription& problem : registry.problems()) kinds.push_back(problem.kind);
+  command
+      .add_option("--problem", to->problem,
+                  fmt::format("Which problem: {} (default: the one with the most keys)", fmt::join(kinds, ", ")))
+      ->type_name("KIND");
+  command
+      .add_option("--optimizer", to->optimizers,
+                  "A method that races, as nodal list optimizers names it; may be repeated (default: what suits)")
+      ->type_name("USE")
+      ->allow_extra_args(false);
+}
+
+void add_schema(CLI::App& app, const Registry& registry, int& exit) {
+  add_command(app, "schema", "Print the JSON schema of studies, for editors", schema_command, registry, exit,
+              std::make_shared<SchemaArguments>());
 }
 
 void add_list(CLI::App& app, const Registry& registry, int& exit) {
@@ -259,11 +300,14 @@ int run_command(const Registry& registry, int argc, const char* const* argv) {
   add_report(app, registry, exit);
   add_merge(app, registry, exit);
   add_verify(app, registry, exit);
+  add_export(app, registry, exit);
   add_explain(app, registry, exit);
   add_trials(app, registry, exit);
   for (const ProblemDescription& problem : registry.problems())
     for (const Command& command : problem.commands) add_problem_command(app, command, registry, exit);
   add_list(app, registry, exit);
+  add_init(app, registry, exit);
+  add_schema(app, registry, exit);
   try {
     app.parse(argc, argv);
     return exit;

@@ -59,11 +59,23 @@ struct VerifyArguments {
   std::uint64_t seed = 1;  ///< draws which
 };
 
+struct ExportArguments {
+  std::vector<std::string> directories;
+  std::string format, out;  ///< a name of exchange::formats()
+};
+
 struct ExplainArguments {
   std::string study;
   bool trials = false;
   StudyOverrides overrides;
 };
+
+struct InitArguments {
+  std::string file, problem;            ///< without `file`: standard output
+  std::vector<std::string> optimizers;  ///< as editing::TemplateRequest has them
+};
+
+struct SchemaArguments {};
 
 struct ListArguments {
   std::string what;  ///< optimizers, problems, scenes, a list of a problem's, or all when empty
@@ -75,8 +87,11 @@ int fit_command(const FitArguments& arguments, const Registry& registry);
 int report_command(const ReportArguments& arguments, const Registry& registry);
 int merge_command(const MergeArguments& arguments, const Registry& registry);
 int verify_command(const VerifyArguments& arguments, const Registry& registry);
+int export_command(const ExportArguments& arguments, const Registry& registry);
 int explain_command(const ExplainArguments& arguments, const Registry& registry);
 int trials_command(const TrialsArguments& arguments, const Registry& registry);
+int init_command(const InitArguments& arguments, const Registry& registry);
+int schema_command(const SchemaArguments& arguments, const Registry& registry);
 int list_command(const ListArguments& arguments, const Registry& registry);
 
 inline constexpr int kExitTrialFailed = 1;
