@@ -1,19 +1,22 @@
 #!/bin/sh
 # Installs the Debian packages that nodal needs and that are missing: `bench/packages.sh demo` for building and running,
-# `tests` for the tests on top, `ci` for the extra builds. Says what it installs; does nothing when all is there.
+# `tests` for the tests on top, `ci` for the extra builds, `slurm` for `ctest -L slurm` alone. Says what it installs; does
+# nothing when all is there.
 set -eu
 
 demo="g++ cmake ninja-build git libsuitesparse-dev libopenblas0-serial libeigen3-dev libnlopt-dev libnlopt-cxx-dev
       libceres-dev libtomlplusplus-dev libcli11-dev nlohmann-json3-dev libfmt-dev libboost-dev libjs-vega libbenchmark-dev
       libcgal-dev"
-tests="libgtest-dev chromium"
+tests="libgtest-dev chromium openmpi-bin"
+slurm="slurmctld slurmd slurm-client munge"
 ci="clang-14 clang-format-14 clang-tidy-14 libclang-rt-14-dev llvm-14 ccache"
 
 case "${1:-demo}" in
   demo) wanted="$demo" ;;
   tests) wanted="$demo $tests" ;;
   ci) wanted="$demo $tests $ci" ;;
-  *) echo "usage: $0 [demo|tests|ci]" >&2; exit 2 ;;
+  slurm) wanted="$slurm" ;;
+  *) echo "usage: $0 [demo|tests|ci|slurm]" >&2; exit 2 ;;
 esac
 
 missing=""

@@ -72,7 +72,8 @@ struct Conditions {
   /// Time of a fixed piece of arithmetic shortly before, over its least time in this comparison: 1.3 on a core that is
   /// 1.3 times as slow as it was at its fastest.
   std::optional<double> pace = {};
-  std::optional<double> cold = {};  ///< time of the first evaluations in the warm-up, over that of the same ones after it
+  std::optional<double> cold =
+      {};  ///< time of the first evaluations in the warm-up, over that of the same ones after it
 };
 
 /// What an independent path says of the best point when the trial is over: a fresh evaluator, which shares nothing with
