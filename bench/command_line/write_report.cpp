@@ -10,6 +10,7 @@
 
 #include "console.h"
 #include "page_pictures.h"
+#include "report/figure_files.h"
 #include "report/report.h"
 
 namespace nodal {
@@ -50,6 +51,8 @@ void write_report(std::span<const Store> stores, const Registry& registry, Store
   try {
     target.write_file("summary.csv", report::summary_csv(data));
     target.write_file("report.html", report::report_html(data));
+    for (const report::FigureFile& figure : report::figure_files(data))
+      target.write_file("figures/" + figure.name, figure.svg);
   } catch (const StoreError&) {
     print();
     throw;

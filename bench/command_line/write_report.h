@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-/// Prints the table of stored trials on stdout and writes summary.csv and report.html.
+/// Prints the table of stored trials on stdout and writes summary.csv, report.html and figures/*.svg.
 
 #include <span>
 

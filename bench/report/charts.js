@@ -1,29 +1,38 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What all charts of the page share: colours, numbers, the look of an axis, the box that shows figures at the pointer.
+// What all charts of the page share: theme, numbers, the look of an axis, the box that shows figures at the pointer.
 "use strict";
 
 const charts = (() => {
-  // Okabe and Ito's colours without yellow, told apart by those who don't see red and green.
-  const COLOURS = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#e69f00", "#7a6a00"];
-  const FONT = "sans-serif";
+  const FONT = "system-ui, 'DejaVu Sans', sans-serif";
+
+  // What the page's style sheet says just now: a page may turn dark while it is looked at.
+  const variable = (name) => getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim();
+  const DARK = matchMedia("screen and (prefers-color-scheme: dark)");
+  const theme = () => ({
+    dark: DARK.matches, paper: "transparent", ink: variable("ink"), quiet: variable("quiet"), grid: variable("grid"),
+    axis: variable("axis"),
+  });
+  // Of what is saved: a picture for white paper.
+  const PAPER = { dark: false, paper: "#fff", ink: "#1c1f23", quiet: "#444b54", grid: "#e3e6ea", axis: "#9aa2ac" };
+  const colour = (index) => variable(`s${index}`);
 
   const digits = new Intl.NumberFormat("en", { maximumSignificantDigits: 4, useGrouping: true });
   const shown = (x) => (x !== 0 && (Math.abs(x) < 1e-4 || Math.abs(x) >= 1e7) ? x.toExponential(2) : digits.format(x));
 
-  const AXIS = {
-    grid: true, gridColor: "#e6e9ed", domainColor: "#9aa2ac", tickColor: "#9aa2ac", labelColor: "#444b54",
-    titleColor: "#444b54", titleFontWeight: 400, labelFontSize: 11, titleFontSize: 12, labelFont: FONT, titleFont: FONT,
-    labelOverlap: true,
-  };
+  const axisLook = (look) => ({
+    grid: true, gridColor: look.grid, domainColor: look.axis, tickColor: look.axis, labelColor: look.quiet,
+    titleColor: look.quiet, titleFontWeight: 400, labelFontSize: 11, titleFontSize: 12, labelFont: FONT,
+    titleFont: FONT, labelOverlap: true,
+  });
 
   // A dashed horizontal line with a note below it, one for every {y, text} of the data.
-  const rule = (data) => [
+  const rule = (data, look) => [
     { type: "rule", from: { data }, interactive: false, encode: { update: {
       x: { value: 0 }, x2: { signal: "width" }, y: { scale: "y", field: "y" },
-      stroke: { value: "#555" }, strokeDash: { value: [2, 3] } } } },
+      stroke: { value: look.quiet }, strokeDash: { value: [2, 3] } } } },
     { type: "text", from: { data }, interactive: false, encode: { update: {
       x: { value: 0 }, dx: { value: 5 }, y: { scale: "y", field: "y" }, dy: { value: 4 }, baseline: { value: "top" },
-      text: { field: "text" }, fill: { value: "#444" }, fontSize: { value: 11 }, font: { value: FONT } } } },
+      text: { field: "text" }, fill: { value: look.quiet }, fontSize: { value: 11 }, font: { value: FONT } } } },
   ];
 
   // For View.tooltip: a box inside `box` beside the pointer; `describe(value)` gives its title and its lines.
@@ -47,15 +56,18 @@ const charts = (() => {
     };
   }
 
-  // Calls build() once, and again whenever the box has another width: only then a chart must be made anew.
+  // Calls build(width, theme) once, and again whenever the box has another width or the page another theme: only then a
+  // chart must be made anew.
   function whenever(box, build) {
-    let width = -1;
+    let width = -1, dark = null;
     const rebuild = () => {
-      if (Math.abs(box.clientWidth - width) < 1) return;
+      if (box.clientWidth === 0 || (Math.abs(box.clientWidth - width) < 1 && dark === DARK.matches)) return;
       width = box.clientWidth;
-      build(width);
+      dark = DARK.matches;
+      build(width, theme());
     };
     new ResizeObserver(rebuild).observe(box);
+    DARK.addEventListener("change", rebuild);
     rebuild();
   }
 
@@ -65,5 +77,5 @@ const charts = (() => {
     return element;
   }
 
-  return { COLOURS, FONT, AXIS, digits, shown, rule, tooltip, whenever, stage };
+  return { FONT, PAPER, colour, axisLook, digits, shown, rule, tooltip, whenever, stage };
 })();

@@ -12,15 +12,20 @@ namespace nodal::report {
 
 /// The table of one problem, in a box that scrolls by itself.
 [[nodiscard]] std::string table_html(const ProblemReport& problem);
-/// The chart of one problem: its data as JSON, and the empty element that report.js draws into. Empty without curves.
+/// The chart of one problem: a still picture, its figures as tables, its data as JSON, and the empty element that
+/// report.js draws into. Empty without curves.
 [[nodiscard]] std::string chart_html(const ProblemReport& problem, std::size_t index);
 /// The chart of its unseen errors. Empty where nothing is held out.
 [[nodiscard]] std::string unseen_chart_html(const ProblemReport& problem, std::size_t index);
+
+/// A folded section per optimizer. Empty where nothing is told of any.
+[[nodiscard]] std::string optimizers_html(const ReportData& data);
 
 /// Files that the build has put into the program. charts_js comes before every other script but Vega.
 [[nodiscard]] std::string_view report_css();
 [[nodiscard]] std::string_view charts_js();
 [[nodiscard]] std::string_view report_js();
+[[nodiscard]] std::string_view tables_js();
 [[nodiscard]] std::string_view vega_js();
 
 }  // namespace nodal::report

@@ -1,19 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Draws the race of each problem from the data beside it.
+// Draws the race of each problem from the data beside it, in the place of the still picture.
 "use strict";
 
 (() => {
-  const { COLOURS, digits, shown } = charts;
-  // For more lines than colours: the same colours, dashed.
-  const DASHES = [[], [7, 3], [2, 2], [9, 3, 2, 3]];
+  const { FONT, digits, shown } = charts;
   const SMALLEST_GAP = 1e-9;  // below, a gap is rounding
   const LARGEST = 1e150;  // beyond, the room about a curve overflows
-
-  const AXIS_TITLES = {
-    seconds: "time",
-    evaluations: "evaluations",
-    work: "work [equivalent full values]",
-  };
+  const SAVED_WIDTH = 860;
+  const LABEL_SPACING = 13.5, WIDEST_LABEL = 190, LEAD = 16;
 
   const timeText = (s) => {
     for (const [size, unit] of [[1e-9, "ns"], [1e-6, "µs"], [1e-3, "ms"]])
@@ -39,22 +33,32 @@
     return within([1], stride);
   }
 
-  // The baseline is black; the others take colours in the study's order, whatever is shown.
-  function styles(series) {
-    let next = 0;
-    return series.map((s) => {
-      if (s.baseline) return { colour: "#111111", dash: [] };
-      const at = next++;
-      return { colour: COLOURS[at % COLOURS.length], dash: DASHES[Math.floor(at / COLOURS.length) % DASHES.length] };
+  // Labels in a column: each as near as can be to where it belongs, none on another. (chart/end_labels.cpp)
+  function placed(wanted, low, high) {
+    const order = wanted.map((_, i) => i).sort((a, b) => wanted[a] - wanted[b] || a - b);
+    const spacing = Math.min(LABEL_SPACING, (high - low) / Math.max(1, wanted.length - 1));
+    const stacks = [];
+    order.forEach((index, rank) => {
+      stacks.push([wanted[index] - rank * spacing]);
+      const mean = (stack) => stack.reduce((a, b) => a + b, 0) / stack.length;
+      while (stacks.length > 1 && mean(stacks[stacks.length - 2]) >= mean(stacks[stacks.length - 1]))
+        stacks.splice(-2, 2, stacks[stacks.length - 2].concat(stacks[stacks.length - 1]));
     });
+    const most = high - spacing * (wanted.length - 1), places = [];
+    let rank = 0;
+    for (const stack of stacks) {
+      const at = Math.min(most, Math.max(low, stack.reduce((a, b) => a + b, 0) / stack.length));
+      for (let i = 0; i < stack.length; ++i, ++rank) places[order[rank]] = at + rank * spacing;
+    }
+    return places;
   }
 
-  // What the vertical axis can show, from quality.
+  // What the vertical axis can show, from what the curves hold.
   function heights(data) {
     const factor = data.errorPerQuality ?? 1;
     const list = {
       error: {
-        title: data.title ?? (data.errorPerQuality === undefined ? "quality" : "relative error"),
+        title: data.title,
         of: (quality) => quality * factor,
         floor: 1e-16,
         rule: data.best !== undefined && data.best * factor > 1e-150 ? Math.min(LARGEST, data.best * factor) : null,
@@ -62,7 +66,7 @@
     };
     if (data.best !== undefined && data.start !== undefined && data.start > data.best)
       list.gap = {
-        title: `gap to ${data.quality}*`,
+        title: data.gapTitle,
         of: (quality) => (quality - data.best) / (data.start - data.best),
         floor: SMALLEST_GAP,
         rule: null,
@@ -70,15 +74,16 @@
     return list;
   }
 
-  function points(data, look, axis, height, hidden) {
+  function points(data, axis, height, hidden, dark) {
     const rows = [];
     const at = (quality) => Math.min(LARGEST, Math.max(height.floor, height.of(quality)));
     data.series.forEach((series, index) => {
       if (hidden.has(index)) return;
       const curve = series[axis];
+      const { lower = curve.median, upper = curve.median } = curve;
       curve.x.forEach((x, i) => rows.push({
-        series: index, label: series.label, colour: look[index].colour, dash: look[index].dash, x,
-        lower: at(curve.lower[i]), median: at(curve.median[i]), upper: at(curve.upper[i]),
+        series: index, label: series.label, colour: dark ? series.dark : series.colour, dash: series.dash, x,
+        lower: at(lower[i]), median: at(curve.median[i]), upper: at(upper[i]),
       }));
     });
     return rows;
@@ -99,10 +104,10 @@
     return [low / room, high * room];
   }
 
-  function axis(orient, scale, title, values) {
+  function axis(orient, scale, title, values, look) {
     const horizontal = orient === "bottom";
     return {
-      ...charts.AXIS, orient, scale, title, values: { signal: values }, labelFlush: horizontal,
+      ...charts.axisLook(look), orient, scale, title, values: { signal: values }, labelFlush: horizontal,
       encode: { labels: { update: {
         text: { signal: horizontal ? "xText(datum.value, xUnit)" : "tickText(datum.value)" } } } },
     };
@@ -112,8 +117,10 @@
     x: { scale: "x", field: "x" }, y: { scale: "y", field: y }, ...extra,
   });
 
-  function marks() {
-    const strong = "hovered === null || hovered === datum.series";
+  const strong = "hovered === null || hovered === datum.series";
+  const faded = (weak) => [{ test: strong, value: 1 }, { value: weak }];
+
+  function marks(look) {
     const curves = (...inner) => ({
       type: "group", clip: true, from: { facet: { name: "curve", data: "curves", groupby: "series" } }, marks: inner,
     });
@@ -130,7 +137,7 @@
       encode: { update: line("median", {
         stroke: { field: "colour" }, strokeDash: { field: "dash" },
         strokeWidth: [{ test: "hovered === datum.series", value: 3 }, { value: 1.8 }],
-        strokeOpacity: [{ test: strong, value: 1 }, { value: 0.25 }],
+        strokeOpacity: faded(0.25),
       }) },
     };
     const targets = {
@@ -140,13 +147,40 @@
         fill: { field: "colour" }, fillOpacity: { value: 0 }, tooltip: { signal: "datum" },
       } },
     };
-    return [curves(band), curves(median), ...charts.rule("best"), targets];
+    return [curves(band), curves(median), ...ends(look), ...charts.rule("best", look), targets];
   }
 
-  function specification(width, narrow) {
+  // Where a line ends early it goes on thin and dotted to its name.
+  function ends(look) {
+    const stroke = { stroke: { field: "colour" }, strokeOpacity: faded(0.25) };
+    const rule = (encode) => ({
+      type: "rule", from: { data: "ends" }, interactive: false, encode: { update: { ...stroke, ...encode } } });
+    return [
+      rule({ x: { field: "from" }, x2: { signal: "width" }, y: { field: "y" }, strokeDash: { value: [1, 3] } }),
+      rule({ x: { signal: "width" }, x2: { signal: `width + ${LEAD}` }, y: { field: "y" }, y2: { field: "place" },
+        strokeWidth: { value: 0.8 } }),
+      { type: "text", from: { data: "ends" }, interactive: false, encode: { update: {
+        x: { signal: `width + ${LEAD + 4}` }, y: { field: "place" }, baseline: { value: "middle" },
+        text: { field: "label" }, limit: { value: WIDEST_LABEL }, fill: { value: look.ink }, fontSize: { value: 11 },
+        font: { value: FONT }, fillOpacity: faded(0.4) } } },
+    ];
+  }
+
+  const measure = (() => {
+    const context = document.createElement("canvas").getContext("2d");
+    context.font = `11px ${FONT}`;
+    return (text) => Math.min(WIDEST_LABEL, context.measureText(text).width);
+  })();
+
+  // Names stand beside the plot where there is room for them.
+  const named = (width) => width >= 620;
+
+  function specification(data, width, look) {
+    const room = named(width) ? LEAD + 8 + Math.max(0, ...data.series.map((s) => measure(s.label))) : 0;
     return {
-      autosize: { type: "fit", contains: "padding" }, padding: 4, background: "white",
-      width, height: narrow ? 300 : 420,
+      autosize: { type: "fit", contains: "padding" }, padding: { left: 4, top: 6, bottom: 4, right: 4 + room },
+      background: look.paper, description: data.name, width,
+      height: Math.max(width < 500 ? 300 : 420, named(width) ? 50 + LABEL_SPACING * data.series.length : 0),
       signals: [
         { name: "xTitle", value: "" }, { name: "yTitle", value: "" },
         { name: "xDomain", value: [1, 10] }, { name: "yDomain", value: [1, 10] },
@@ -156,31 +190,44 @@
           { events: "@hits:pointerout", update: "null" },
           { events: "pointerdown[!event.item || !event.item.datum]", update: "null" }] },
       ],
-      data: [{ name: "curves", values: [] }, { name: "best", values: [] }],
+      data: [{ name: "curves", values: [] }, { name: "best", values: [] }, { name: "ends", values: [] }],
       scales: [
         { name: "x", type: "log", domain: { signal: "xDomain" }, range: "width", nice: false },
         { name: "y", type: "log", domain: { signal: "yDomain" }, range: "height", nice: false },
       ],
-      axes: [axis("bottom", "x", { signal: "xTitle" }, "xTicks"), axis("left", "y", { signal: "yTitle" }, "yTicks")],
-      marks: marks(),
+      axes: [
+        axis("bottom", "x", { signal: "xTitle" }, "xTicks", look),
+        axis("left", "y", { signal: "yTitle" }, "yTicks", look)],
+      marks: marks(look),
     };
   }
 
   const described = (state) => (value) => {
-    const where = state.axis === "seconds" ? timeText(value.x) : `${shown(value.x)} ${state.axis}`;
+    const where = state.axis === "seconds" ? timeText(value.x) : `${shown(value.x)} ${state.unit}`;
     return [value.label, `after ${where}: ${shown(value.median)}`,
       `quartiles ${shown(value.lower)} to ${shown(value.upper)}`];
   };
 
-  function keyButton(series, look, pressed, toggle) {
+  function keyButton(series, toggle) {
     const button = document.createElement("button");
     button.type = "button";
-    button.setAttribute("aria-pressed", pressed);
+    button.setAttribute("aria-pressed", true);
     button.innerHTML = `<svg width="30" height="8" aria-hidden="true"><line x1="0" x2="30" y1="4" y2="4"
-      stroke-width="2.4" stroke="${look.colour}" stroke-dasharray="${look.dash.join(" ")}"/></svg>`;
+      stroke-width="2.4" stroke-dasharray="${series.dash.join(" ")}"/></svg>`;
+    button.firstChild.style.setProperty("--light", series.colour);
+    button.firstChild.style.setProperty("--dark", series.dark);
     button.append(series.baseline ? `${series.label} (baseline)` : series.label);
     button.addEventListener("click", () => button.setAttribute("aria-pressed", toggle()));
     return button;
+  }
+
+  // A file that the page itself holds.
+  function download(blob, name) {
+    const link = document.createElement("a");
+    link.href = URL.createObjectURL(blob);
+    link.download = name;
+    link.click();
+    setTimeout(() => URL.revokeObjectURL(link.href), 10000);
   }
 
   class Race {
@@ -188,52 +235,99 @@
       this.figure = figure;
       this.box = figure.querySelector(".chart");
       this.data = JSON.parse(figure.querySelector(".race-data").textContent);
-      this.look = styles(this.data.series);
       this.heights = heights(this.data);
       this.hidden = new Set();
-      this.state = { axis: this.data.axes[0], height: "error" };
+      this.state = { axis: this.data.axes[0].name, unit: this.data.axes[0].name, height: "error" };
+      figure.classList.add("drawn");
       this.connect();
-      charts.whenever(this.box, (width) => this.build(width));
+      charts.whenever(this.box, (width, look) => this.build(width, look));
     }
 
     connect() {
       const keys = this.figure.querySelector(".keys");
-      this.data.series.forEach((series, index) => keys.append(keyButton(series, this.look[index], true, () => {
-        if (!this.hidden.delete(index)) this.hidden.add(index);
-        this.show();
-        return !this.hidden.has(index);
-      })));
+      this.data.series.forEach((series, index) => {
+        const button = keyButton(series, () => {
+          if (!this.hidden.delete(index)) this.hidden.add(index);
+          this.show();
+          return !this.hidden.has(index);
+        });
+        for (const [event, value] of [["focus", index], ["pointerenter", index], ["blur", null], ["pointerleave", null]])
+          button.addEventListener(event, () => this.view.signal("hovered", value).runAsync());
+        keys.append(button);
+      });
       for (const name of ["axis", "height"])
         for (const input of this.figure.querySelectorAll(`input[data-${name}]`)) {
           if (name === "height" && !this.heights[input.dataset.height]) input.disabled = true;
           input.addEventListener("change", () => { this.state[name] = input.dataset[name]; this.show(); });
         }
+      const saving = this.figure.querySelector(".save");
+      for (const format of ["svg", "png"]) {
+        const button = document.createElement("button");
+        button.type = "button";
+        button.textContent = `Save as ${format.toUpperCase()}`;
+        button.addEventListener("click", () => this.save(format).catch((error) => console.error(error)));
+        saving.append(button);
+      }
     }
 
-    build(width) {
-      this.width = width;
+    build(width, look) {
       if (this.view) this.view.finalize();
-      const runtime = vega.parse(specification(width, width < 500));
+      this.width = width;
+      this.look = look;
+      const runtime = vega.parse(specification(this.data, width, look));
       this.view = new vega.View(runtime, { renderer: "svg", container: charts.stage(this.box), hover: false })
         .tooltip(charts.tooltip(this.box, described(this.state)));
       this.show();
     }
 
     show() {
+      this.state.unit = this.data.axes.find((a) => a.name === this.state.axis).title;
       const height = this.heights[this.state.height];
-      const rows = points(this.data, this.look, this.state.axis, height, this.hidden);
+      this.box.setAttribute("aria-label", `${this.data.name.replace(/: .*/, "")}: ${height.title} against ${
+        this.state.axis === "seconds" ? "time" : this.state.unit}`);
+      this.fill(this.view, this.width, this.look).catch((error) => console.error(error));
+    }
+
+    // The places of names need the plot's size, which is known once it is drawn.
+    async fill(view, width, look) {
+      const height = this.heights[this.state.height];
+      const rows = points(this.data, this.state.axis, height, this.hidden, look.dark);
       const levels = rows.flatMap((r) => [r.lower, r.upper]);
       // With room for its label below it, where no curve goes.
       const { rule } = height;
-      if (rule !== null) levels.push(rule * Math.pow(rule / Math.max(rule, ...levels), 0.05));
+      if (rule !== null) levels.push(rule, rule * Math.pow(rule / Math.max(rule, ...levels), 0.05));
       const name = this.data.provisional ? "best of these trials" : "best known";
       const best = height.rule === null ? [] : [{ y: height.rule, text: `${name}: ${shown(height.rule)}` }];
       const across = padded(extent(rows.map((r) => r.x))), up = padded(extent(levels));
-      this.view.signal("xTitle", AXIS_TITLES[this.state.axis]).signal("yTitle", height.title)
-        .signal("xDomain", across).signal("xTicks", ticks(across, Math.max(3, this.width / 80)))
+      view.signal("xTitle", this.state.axis === "seconds" ? "time" : this.state.unit).signal("yTitle", height.title)
+        .signal("xDomain", across).signal("xTicks", ticks(across, Math.max(3, width / 80)))
         .signal("yDomain", up).signal("yTicks", ticks(up, 9)).signal("xUnit", this.state.axis)
-        .signal("hovered", null).data("curves", rows).data("best", best);
-      this.view.runAsync().catch((error) => console.error(error));
+        .signal("hovered", null).data("curves", rows).data("best", best).data("ends", []);
+      await view.runAsync();
+      if (!named(width)) return;
+      view.data("ends", this.ends(view, rows));
+      await view.runAsync();
+    }
+
+    ends(view, rows) {
+      const last = new Map(rows.map((row) => [row.series, row]));
+      const x = view.scale("x"), y = view.scale("y"), list = [...last.values()];
+      const places = placed(list.map((row) => y(row.median)), 4, view.height() - 4);
+      return list.map((row, i) => ({
+        series: row.series, label: row.label, colour: row.colour, from: x(row.x), y: y(row.median), place: places[i] }));
+    }
+
+    // As it is shown, on white paper.
+    async save(format) {
+      const view = new vega.View(vega.parse(specification(this.data, SAVED_WIDTH, charts.PAPER)), { renderer: "none" });
+      await this.fill(view, SAVED_WIDTH, charts.PAPER);
+      const what = this.figure.id.startsWith("unseen") ? "unseen" : this.state.height;
+      const name = `${this.data.name.replace(/: .*/, "")}-${what}-${this.state.axis}`.replace(/[^\w-]+/g, "-");
+      if (format === "svg")
+        download(new Blob([await view.toSVG()], { type: "image/svg+xml" }), `${name}.svg`);
+      else
+        (await view.toCanvas(2)).toBlob((blob) => download(blob, `${name}.png`), "image/png");
+      view.finalize();
     }
   }
 

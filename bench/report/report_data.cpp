@@ -42,9 +42,11 @@ struct Collection {
       study_text = study->text_or("text", "");
     }
     for (const Value& problem : list_of(manifest, "problems")) problems.push_back(named(problem));
-    for (const Value& optimizer : list_of(manifest, "optimizers"))
+    for (const Value& optimizer : list_of(manifest, "optimizers")) {
+      if (const Value* options = optimizer.find("options")) requests.emplace(optimizer.text_or("label", ""), *options);
       optimizers.push_back({optimizer.text_or("label", ""), optimizer.text_or("use", ""),
                             optimizer.flag_or("baseline", false), optimizer.flag_or("deterministic", false)});
+    }
     for (const Value& entry : list_of(manifest, "left_out"))
       left_out.push_back({entry.text_or("label", ""), entry.text_or("use", ""), entry.text_or("reason", "")});
     add_builds(manifest);
@@ -54,10 +56,16 @@ struct Collection {
   std::string study_name, study_text;
   std::vector<NamedProblem> problems;
   std::vector<RowRequest> optimizers;
+  std::map<std::string, Value> requests;  // by optimizer: the options that were asked for
   std::vector<LeftOut> left_out;
   std::vector<Value> builds;
   std::vector<std::string> warnings;
   std::vector<TrialRecord> records;
+
+  const Value* requested(const std::string& optimizer) const {
+    const auto found = requests.find(optimizer);
+    return found == requests.end() ? nullptr : &found->second;
+  }
 
  private:
   static NamedProblem named(const Value& problem) {
@@ -113,17 +121,20 @@ std::optional<BestOfAll> best_of(std::span<const TrialRecord* const> records) {
   return best;
 }
 
+constexpr std::size_t kCurvePoints = 40;  // more than a chart can show only make the page large
+
 template <class MakeCurve>
 OptimizerCurves curves_of(const std::string& optimizer, MakeCurve make) {
   OptimizerCurves curves{optimizer, {}};
-  for (const Axis axis : {Axis::seconds, Axis::evaluations, Axis::work})
+  for (const Axis axis : {Axis::seconds, Axis::evaluations, Axis::work, Axis::factorizations})
     curves.by_axis[static_cast<std::size_t>(axis)] = make(axis);
   return curves;
 }
 
 void add_curves(const std::string& optimizer, std::span<const TrialRecord* const> trials, ProblemReport& report) {
-  report.curves.push_back(curves_of(optimizer, [&](Axis axis) { return make_curve(trials, axis); }));
-  OptimizerCurves unseen = curves_of(optimizer, [&](Axis axis) { return make_unseen_curve(trials, axis); });
+  report.curves.push_back(curves_of(optimizer, [&](Axis axis) { return make_curve(trials, axis, kCurvePoints); }));
+  OptimizerCurves unseen =
+      curves_of(optimizer, [&](Axis axis) { return make_unseen_curve(trials, axis, kCurvePoints); });
   if (!unseen.by_axis[0].empty()) report.unseen_curves.push_back(std::move(unseen));
 }
 
@@ -162,6 +173,7 @@ ProblemReport make_problem(const NamedProblem& named, const Collection& all, con
       if (record->optimizer == optimizer.label && !record->trace.empty()) trials.push_back(record);
     if (trials.empty()) continue;
     add_curves(optimizer.label, trials, report);
+    report.optimizers.push_back(detail_of(optimizer.label, all.requested(optimizer.label), trials, registry));
     report.scrutiny.optimizers.push_back({optimizer.label, claims_seen(trials), first_to_rest(trials)});
   }
   report.scrutiny.aliases = aliases(records);

@@ -20,13 +20,14 @@
 #include <nodal/study.h>
 
 #include "ends.h"
+#include "optimizer_detail.h"
 
 namespace nodal::report {
 
 /// Best quality so far of one optimizer, or its unseen error there, over each axis.
 struct OptimizerCurves {
   std::string optimizer;
-  std::array<std::vector<CurvePoint>, 3> by_axis;  ///< by Axis
+  std::array<std::vector<CurvePoint>, 4> by_axis;  ///< by Axis
 };
 
 /// The best point of all trials on a problem, which is drawn.
@@ -64,6 +65,7 @@ struct ProblemReport {
   std::optional<BestOfAll> best;
   Scrutiny scrutiny = {};
   Ends ends = {};
+  std::vector<OptimizerDetail> optimizers = {};  ///< in the table's order
   std::vector<std::string> notes;  ///< what is to be known of any result: Exhibit::notes_at the start. By the caller
   ReportPart details;              ///< of how it was made; empty where the manifests say nothing
   std::string fingerprint = {};    ///< of the files it was read from (StudyProblem), as the stores have it

@@ -27,7 +27,18 @@ constexpr auto kSeconds = static_cast<std::size_t>(Axis::seconds);
 struct Filler {
   Column column;
   std::function<std::string(const OptimizerRow&)> cell;
+  std::function<std::optional<double>(const OptimizerRow&)> value = {};
 };
+
+std::optional<double> median_of(const std::optional<Quartiles>& q) {
+  return q ? std::optional(q->median) : std::nullopt;
+}
+
+// A column whose rows can be compared.
+Filler compared(Filler filler) {
+  filler.column.compared = true;
+  return filler;
+}
 
 std::string or_dash(const std::optional<Quartiles>& q, std::string (*text)(double)) {
   return q ? text(q->median) : "–";
@@ -69,44 +80,53 @@ std::string faster_text(const OptimizerRow& row, const OptimizerRow* baseline) {
 
 void add_errors(std::vector<Filler>& fillers, const ProblemReport& problem, bool has_error) {
   const auto error = [has_error](const OptimizerRow& r) { return has_error ? r.relative_error : r.quality; };
-  fillers.push_back({{has_error ? "relative" : "quality", has_error ? "error" : "median",
-                      has_error ? "relative error: 0 is perfect, 1 is as bad as no displacement at all"
-                                : "quality of the best point: smaller is better"},
-                     [error](const OptimizerRow& r) { return median_text(error(r)); }});
+  fillers.push_back(compared({{has_error ? "relative" : "quality", has_error ? "error" : "median",
+                               has_error ? "relative error: 0 is perfect, 1 is as bad as no displacement at all"
+                                         : "quality of the best point: smaller is better"},
+                              [error](const OptimizerRow& r) { return median_text(error(r)); },
+                              [error](const OptimizerRow& r) { return median_of(error(r)); }}));
   fillers.push_back({{"", "[quartiles]", "a quarter of the trials is below the first, a quarter above the second",
                       false, 3, "quartiles"},
                      [error](const OptimizerRow& r) { return spread_text(error(r)); }});
   if (has_error)
     fillers.push_back({{problem.quality_name, "median", problem.quality_help},
-                       [](const OptimizerRow& r) { return median_text(r.data_quality ? r.data_quality : r.quality); }});
+                       [](const OptimizerRow& r) { return median_text(r.data_quality ? r.data_quality : r.quality); },
+                       [](const OptimizerRow& r) { return median_of(r.data_quality ? r.data_quality : r.quality); }});
 }
 
 void add_costs(std::vector<Filler>& fillers, bool has_factorizations) {
   fillers.push_back(
       {{"evalu-", "ations", "costs seen at a point until the trial ended, median", false, 1, "evaluations"},
-       [](const OptimizerRow& r) { return or_dash(r.evaluations, count_text); }});
+       [](const OptimizerRow& r) { return or_dash(r.evaluations, count_text); },
+       [](const OptimizerRow& r) { return median_of(r.evaluations); }});
   if (has_factorizations)
     fillers.push_back(
         {{"factori-", "zations", "numeric factorizations until the trial ended, median", false, 2, "factorizations"},
-         [](const OptimizerRow& r) { return or_dash(r.factorizations, count_text); }});
+         [](const OptimizerRow& r) { return or_dash(r.factorizations, count_text); },
+         [](const OptimizerRow& r) { return median_of(r.factorizations); }});
   fillers.push_back({{"total", "time", "wall time of a whole trial, median"},
-                     [](const OptimizerRow& r) { return or_dash(r.seconds, seconds_text); }});
+                     [](const OptimizerRow& r) { return or_dash(r.seconds, seconds_text); },
+                     [](const OptimizerRow& r) { return median_of(r.seconds); }});
 }
 
 void add_targets(std::vector<Filler>& fillers, const OptimizerRow* baseline) {
   for (const double gap : kShownGaps)
     fillers.push_back(
-        {{"time to", gap_text(gap), "wall time until the gap was as small as this, median over all trials"},
-         [gap](const OptimizerRow& r) { return reached_text(r, gap); }});
+        compared({{"time to", gap_text(gap), "wall time until the gap was as small as this, median over all trials"},
+                  [gap](const OptimizerRow& r) { return reached_text(r, gap); },
+                  [gap](const OptimizerRow& r) { return r.target(gap).median[kSeconds]; }}));
   if (baseline)
     fillers.push_back({{"times", "faster", "the baseline's median time to gap 0.01 over this optimizer's"},
-                       [baseline](const OptimizerRow& r) { return faster_text(r, baseline); }});
+                       [baseline](const OptimizerRow& r) { return faster_text(r, baseline); },
+                       [](const OptimizerRow& r) { return r.target(kDefaultGap).multiple[kSeconds]; }});
   fillers.push_back({{"reached", gap_text(kDefaultGap),
                       "success: distinct runs that reached this gap, of all; repeats that did the same count once"},
-                     success_text});
+                     success_text,
+                     [](const OptimizerRow& r) { return std::optional(r.target(kDefaultGap).success_rate); }});
   fillers.push_back(
       {{"runs", "", "trials stored; det.: a deterministic method, whose repeats from one start measure time"},
-       runs_text});
+       runs_text,
+       [](const OptimizerRow& r) { return std::optional(static_cast<double>(r.trials)); }});
 }
 
 void add_bounds(std::vector<Filler>& fillers) {
@@ -114,13 +134,19 @@ void add_bounds(std::vector<Filler>& fillers) {
                       "coordinates of the best point that lie at a bound, median: many of them say that the box "
                       "decided, not the data",
                       false, 4, "coordinates at bounds"},
-                     [](const OptimizerRow& r) { return or_dash(r.at_bounds, count_text); }});
+                     [](const OptimizerRow& r) { return or_dash(r.at_bounds, count_text); },
+                     [](const OptimizerRow& r) { return median_of(r.at_bounds); }});
 }
 
 Filler finding_filler(const std::string& name, Column column) {
-  return {std::move(column), [name](const OptimizerRow& r) {
+  return {std::move(column),
+          [name](const OptimizerRow& r) {
             const auto found = r.findings.find(name);
             return found == r.findings.end() ? "–" : median_text(found->second);
+          },
+          [name](const OptimizerRow& r) {
+            const auto found = r.findings.find(name);
+            return found == r.findings.end() ? std::nullopt : std::optional(found->second.median);
           }};
 }
 
@@ -134,8 +160,8 @@ void add_unseen(std::vector<Filler>& fillers, const ProblemReport& problem) {
   if (!any_has(problem, kUnseenFinding)) return;
   const FindingDescription finding = unseen_finding();
   const std::size_t space = finding.title.find(' ');
-  fillers.push_back(finding_filler(
-      finding.name, {finding.title.substr(0, space), finding.title.substr(space + 1), finding.help + "; median"}));
+  fillers.push_back(compared(finding_filler(
+      finding.name, {finding.title.substr(0, space), finding.title.substr(space + 1), finding.help + "; median"})));
 }
 
 void add_findings(std::vector<Filler>& fillers, const ProblemReport& problem) {
@@ -177,13 +203,18 @@ Table make_text_table(const ProblemReport& problem) {
   add_targets(fillers, baseline == all.end() ? nullptr : &*baseline);
   if (std::ranges::any_of(all, [](const OptimizerRow& r) { return r.failed > 0; }))
     fillers.push_back({{"failed", "", "ended failed, timed out or crashed; the reasons are listed below"},
-                       [](const OptimizerRow& r) { return std::to_string(r.failed); }});
+                       [](const OptimizerRow& r) { return std::to_string(r.failed); },
+                       [](const OptimizerRow& r) { return std::optional(static_cast<double>(r.failed)); }});
 
   Table table;
   for (const Filler& filler : fillers) table.columns.push_back(filler.column);
   for (const OptimizerRow* row : best_first(problem.table, has_error)) {
     std::vector<std::string>& cells = table.rows.emplace_back();
-    for (const Filler& filler : fillers) cells.push_back(filler.cell(*row));
+    std::vector<std::optional<double>>& values = table.values.emplace_back();
+    for (const Filler& filler : fillers) {
+      cells.push_back(filler.cell(*row));
+      values.push_back(filler.value ? filler.value(*row) : std::nullopt);
+    }
     table.optimizers.push_back(row->label);
   }
   table.notes = table_notes(problem);

@@ -6,6 +6,7 @@
 /// Rows stand best first: by error as it is printed, equal ones by time to the default gap. (Digits beyond those
 /// printed are rounding noise among methods that reach the same optimum.)
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -21,13 +22,15 @@ struct Column {
   bool left = false;      ///< aligned
   int rank = 0;           ///< 0 is always shown; the highest goes first where a terminal is too narrow
   std::string name = {};  ///< what to call it when it is left out
+  bool compared = false;  ///< smaller is better, and how much so can be said of two rows
 };
 
 struct Table {
   std::vector<Column> columns;
   std::vector<std::vector<std::string>> rows;
-  std::vector<std::string> optimizers;  ///< of the rows: labels without additions
-  std::vector<std::string> notes;       ///< to stand below it: what marks mean
+  std::vector<std::vector<std::optional<double>>> values;  ///< what rows say as numbers: to sort them, and to compare
+  std::vector<std::string> optimizers;                     ///< of the rows: labels without additions
+  std::vector<std::string> notes;                          ///< to stand below it: what marks mean
 };
 
 [[nodiscard]] Table make_text_table(const ProblemReport& problem);

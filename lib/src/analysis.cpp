@@ -240,6 +240,8 @@ std::string_view to_string(Axis axis) noexcept {
       return "evaluations";
     case Axis::work:
       return "work";
+    case Axis::factorizations:
+      return "factorizations";
   }
   return "";
 }
@@ -265,6 +267,8 @@ double position(const TrialRecord& record, const TracePoint& point, Axis axis) {
       return static_cast<double>(point.evaluation);
     case Axis::work:
       return work_at(record, point.evaluation, point.factorizations);
+    case Axis::factorizations:
+      return static_cast<double>(point.factorizations);
   }
   return 0.0;
 }
@@ -277,6 +281,8 @@ double end_position(const TrialRecord& record, Axis axis) {
       return static_cast<double>(record.counts.evaluations);
     case Axis::work:
       return work_at(record, record.counts.evaluations, record.work.factorizations);
+    case Axis::factorizations:
+      return static_cast<double>(record.work.factorizations);
   }
   return 0.0;
 }

@@ -71,6 +71,7 @@ Value optimizer_part(const StudyOptimizer& optimizer) {
   part.set("baseline", optimizer.baseline);
   part.set("multi_start", optimizer.multi_start);
   part.set("deterministic", optimizer.deterministic);
+  part.set("options", optimizer.options.values());
   return part;
 }
 

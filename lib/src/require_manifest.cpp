@@ -94,6 +94,7 @@ void require_manifest(const Value& manifest, const std::string& path) {
   top.each_table("problems", check_problem);
   top.each_table("optimizers", [](const Checked& optimizer) {
     optimizer.texts({"label", "use"});
+    optimizer.table("options");
     for (const char* flag : {"baseline", "multi_start", "deterministic"})
       optimizer.with(flag, [](const Checked& c) { c.require(&Value::is_boolean, "a boolean"); });
   });

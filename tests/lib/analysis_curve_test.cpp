@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Curves over seconds, evaluations and work.
+// Curves over seconds, evaluations, work and factorizations.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -35,6 +35,18 @@ TEST(Curve, KeepsTheBestOfATrialThatHasEnded) {
   const std::vector<CurvePoint> curve = make_curve(pointers(records), Axis::evaluations, 50);
   EXPECT_EQ(curve.back().position, 100.0);
   EXPECT_DOUBLE_EQ(curve.back().quality.median, 5.0);
+}
+
+TEST(Curve, CountsFactorizationsFromTheStarts) {
+  std::vector<TrialRecord> records = {trial("a", 0, {{9, 5.0}})};  // its point comes with factorization 10 of 101
+  const std::vector<CurvePoint> curve = make_curve(pointers(records), Axis::factorizations, 3);
+  ASSERT_EQ(curve.size(), 3u);
+  EXPECT_EQ(curve.front().position, 1.0);
+  EXPECT_EQ(curve.back().position, 101.0);
+  EXPECT_EQ(curve[0].quality.median, 11.0);
+  EXPECT_EQ(curve[1].quality.median, 5.0);  // at 10.05
+  records[0].work.factorizations = 0;       // nothing was factorized: there is no axis
+  EXPECT_TRUE(make_curve(pointers(records), Axis::factorizations, 3).empty());
 }
 
 // On the axis of seconds trials begin at different moments: 0.001 s, 1 s and 2 s here.
@@ -102,6 +114,7 @@ TEST(Axes, HaveNames) {
   EXPECT_EQ(to_string(Axis::seconds), "seconds");
   EXPECT_EQ(to_string(Axis::evaluations), "evaluations");
   EXPECT_EQ(to_string(Axis::work), "work");
+  EXPECT_EQ(to_string(Axis::factorizations), "factorizations");
 }
 
 TEST(UnseenCurve, IsOfWhatReportsAndMayRise) {

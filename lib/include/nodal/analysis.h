@@ -28,7 +28,8 @@
 
 namespace nodal {
 
-enum class Axis { seconds, evaluations, work };
+/// What a trial is measured by. The arrays below are by the first three; factorizations are an axis of charts.
+enum class Axis { seconds, evaluations, work, factorizations };
 [[nodiscard]] std::string_view to_string(Axis axis) noexcept;
 
 /// Gaps at which time to target is stated.

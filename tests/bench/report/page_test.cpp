@@ -50,9 +50,36 @@ TEST(Page, LabelsCannotBreakOut) {
 
 TEST(Page, ShowsTheRowsOfTheConsoleTable) {
   const std::string page = report_html(fixture::make_data());
-  for (const char* cell : {"<td>0.09220</td>", "<td>333×</td>", "<td class=\"never\">never</td>", "<td>14 of 15</td>",
-                           "<td>det. 3</td>", "<th scope=\"row\">annealing (baseline)</th>"})
+  for (const char* cell : {">0.09220</td>", ">333×</td>", "<td class=\"never\">never</td>", ">14 of 15</td>",
+                           ">det. 3</td>", "<th scope=\"row\">annealing (baseline)</th>"})
     EXPECT_NE(page.find(cell), std::string::npos) << cell;
+}
+
+// Errors 0.0938, 0.09220 and 0.2811; times to gap 0.1 of 12.3 ms and 0.5 ms.
+TEST(Page, ColoursFiguresByHowNearTheBestTheyAre) {
+  const std::string page = report_html(fixture::make_data());
+  EXPECT_NE(page.find("<td class=\"near\" data-v=\"0.0938\">0.09380</td>"), std::string::npos);
+  EXPECT_NE(page.find("<td class=\"best\" data-v=\"0.0922032\">0.09220</td>"), std::string::npos);
+  EXPECT_NE(page.find("<td data-v=\"0.2811\">0.2811</td>"), std::string::npos);
+  EXPECT_NE(page.find("<td class=\"beyond10\" data-v=\"0.0123\">12.3 ms</td>"), std::string::npos);
+  EXPECT_NE(page.find("<td class=\"best\" data-v=\"0.0005\">500 µs</td>"), std::string::npos);
+}
+
+TEST(Page, HasItsChartsWithoutAScript) {
+  ReportData data = fixture::make_data();
+  const std::string figure = chart_html(data.problems[0], 0);
+  EXPECT_EQ(count(figure, "class=\"curve\""), 3u);
+  EXPECT_EQ(count(figure, "role=\"img\" aria-labelledby=\"race-0-still-title race-0-still-desc\""), 1u);
+  EXPECT_NE(figure.find("lowest first: ceres-levenberg-marquardt 0.0922, annealing 0.0938, random-search 0.281."),
+            std::string::npos);
+  EXPECT_EQ(count(figure, "<table class=\"figures\">"), 3u);  // against time, evaluations, flops
+}
+
+TEST(Page, OffersFactorizationsWhereThereAreAny) {
+  ReportData data = fixture::make_data();
+  EXPECT_EQ(count(report_html(data), "data-axis=\"factorizations\""), 0u);
+  for (OptimizerCurves& curves : data.problems[0].curves) curves.by_axis[3] = curves.by_axis[1];
+  EXPECT_EQ(count(report_html(data), "data-axis=\"factorizations\""), 1u);
 }
 
 // A picture first, then how the problem was made; of what they need each text once.

@@ -3,7 +3,7 @@
 "use strict";
 
 (() => {
-  const { COLOURS, FONT, AXIS, shown } = charts;
+  const { FONT, shown } = charts;
 
   // Iterations are counted from 0, and most happens in the first: logarithmic, but for 0 to 1.
   const TICKS = [0, 1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 1e4, 1e5, 1e6];
@@ -26,7 +26,7 @@
 
   function rows(panel, iterations) {
     return panel.lines.flatMap((line, index) => line.values.map((y, i) => (
-      { line: index, label: line.label, colour: COLOURS[index], x: iterations[i], y })));
+      { line: index, label: line.label, colour: charts.colour(index), x: iterations[i], y })));
   }
 
   // From zero, where a curve comes near to it; else close about the curves and what they are measured by.
@@ -38,8 +38,8 @@
     return [low - room, high + 0.4 * room];
   }
 
-  const marks = [
-    ...charts.rule("rules"),
+  const marks = (look) => [
+    ...charts.rule("rules", look),
     { type: "group", from: { facet: { name: "curve", data: "curves", groupby: "line" } }, marks: [
       { type: "line", from: { data: "curve" }, interactive: false, encode: { update: {
         x: { scale: "x", field: "x" }, y: { scale: "y", field: "y" }, stroke: { field: "colour" },
@@ -51,26 +51,26 @@
       fillOpacity: { value: 0 }, tooltip: { signal: "datum" } } } },
   ];
 
-  function specification(panel, iterations, width) {
+  function specification(panel, iterations, width, look) {
     const last = iterations[iterations.length - 1];
     return {
-      autosize: { type: "fit", contains: "padding" }, padding: 4, background: "white", width, height: 260,
+      autosize: { type: "fit", contains: "padding" }, padding: 4, background: look.paper, width, height: 260,
       data: [{ name: "curves", values: rows(panel, iterations) }, { name: "rules", values: panel.rules }],
       scales: [
         { name: "x", type: "symlog", constant: 1, domain: [0, last], range: "width", nice: false },
         { name: "y", type: "linear", domain: span(panel), range: "height", nice: false, zero: false },
-        { name: "colour", type: "ordinal", domain: panel.lines.map((l) => l.label), range: COLOURS },
+        { name: "colour", type: "ordinal", domain: panel.lines.map((l) => l.label), range: panel.lines.map((l, i) => charts.colour(i)) },
       ],
       axes: [
-        { ...AXIS, orient: "bottom", scale: "x", title: "iterations", values: TICKS.filter((t) => t <= last),
+        { ...charts.axisLook(look), orient: "bottom", scale: "x", title: "iterations", values: TICKS.filter((t) => t <= last),
           labelFlush: true, format: "d" },
-        { ...AXIS, orient: "left", scale: "y", title: panel.title, tickCount: 6 },
+        { ...charts.axisLook(look), orient: "left", scale: "y", title: panel.title, tickCount: 6 },
       ],
       legends: [{
         stroke: "colour", symbolType: "stroke", symbolStrokeWidth: 2.4, symbolSize: 300, orient: "top",
         direction: width < 420 ? "vertical" : "horizontal", labelFont: FONT, labelFontSize: 12, labelLimit: 400,
-        labelColor: "#1c1f23" }],
-      marks,
+        labelColor: look.ink }],
+      marks: marks(look),
     };
   }
 
@@ -82,9 +82,9 @@
     const shownPanels = panels(data);
     figure.querySelectorAll(".panel").forEach((box, index) => {
       let view = null;
-      charts.whenever(box, (width) => {
+      charts.whenever(box, (width, look) => {
         if (view) view.finalize();
-        const runtime = vega.parse(specification(shownPanels[index], data.iteration, width));
+        const runtime = vega.parse(specification(shownPanels[index], data.iteration, width, look));
         view = new vega.View(runtime, { renderer: "svg", container: charts.stage(box), hover: false })
           .tooltip(charts.tooltip(box, described));
         view.runAsync().catch((error) => console.error(error));
