@@ -67,12 +67,15 @@ std::optional<double> digits_of(const Exhibit& exhibit, const report::BestOfAll&
   return off > 0.0 ? std::clamp(-std::log10(off), 0.0, kMost) : kMost;
 }
 
-// Before and after: the start and the best point of the report.
+// Before and after: the start and the best point of the report; then the best points of the other optimizers.
 Shown show(const StudyProblem& entry, const report::ProblemReport& own) {
   refuse_another_system(entry, own);
   const std::span<const double> start = entry.problem->space().start();
-  const std::vector<LabelledPoint> points = {{"start", {start.begin(), start.end()}},
-                                             {"best: " + own.best->optimizer, own.best->x}};
+  std::vector<LabelledPoint> points = {{"start", {start.begin(), start.end()}},
+                                       {"best: " + own.best->optimizer, own.best->x}};
+  for (const report::BestOfAll& other : own.bests)
+    if (other.optimizer != own.best->optimizer && other.x.size() == start.size())
+      points.push_back({other.optimizer, other.x});
   const std::shared_ptr<const Exhibit> exhibit = exhibit_of(*entry.problem);
   return {exhibit->report(entry.label, points), exhibit->notes_at(exhibit->start()), digits_of(*exhibit, *own.best)};
 }

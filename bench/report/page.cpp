@@ -100,31 +100,6 @@ std::string failures_html(const ReportData& data) {
   return text;
 }
 
-std::string value_text(const Value& value) {
-  if (value.is_text()) return value.text();
-  if (!value.is_table()) return to_json(value);
-  std::string text;
-  for (const auto& [key, entry] : value.table()) text += (text.empty() ? "" : ", ") + key + " " + value_text(entry);
-  return text.empty() ? "–" : text;
-}
-
-std::string provenance_html(const ReportData& data) {
-  std::string text = "<section id=\"provenance\"><h2>Where this comes from</h2>\n";
-  for (const Value& build : data.builds) {
-    text += "<dl>\n";
-    for (const auto& [key, entry] : build.table()) {
-      std::string name = key;
-      std::ranges::replace(name, '_', ' ');
-      text += "<dt>" + escape_html(name) + "</dt><dd>" + escape_html(value_text(entry)) + "</dd>\n";
-    }
-    text += "</dl>\n";
-  }
-  if (!data.study_text.empty())
-    text += "<details><summary>The study, as it was read</summary>\n<pre>" + escape_html(data.study_text) +
-            "</pre></details>\n";
-  return text + "</section>\n";
-}
-
 // What the parts of a page need, each text once.
 std::vector<std::string> needed_by_parts(const ReportData& data, std::string ReportPart::*member) {
   std::vector<std::string> texts;

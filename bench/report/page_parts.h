@@ -21,6 +21,9 @@ namespace nodal::report {
 /// A folded section per optimizer. Empty where nothing is told of any.
 [[nodiscard]] std::string optimizers_html(const ReportData& data);
 
+/// Builds, the study as it was read, and how to run it again.
+[[nodiscard]] std::string provenance_html(const ReportData& data);
+
 /// Files that the build has put into the program. charts_js comes before every other script but Vega.
 [[nodiscard]] std::string_view report_css();
 [[nodiscard]] std::string_view charts_js();

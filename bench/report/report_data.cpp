@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <set>
 
 #include <fmt/format.h>
@@ -173,12 +174,35 @@ ProblemReport make_problem(const NamedProblem& named, const Collection& all, con
       if (record->optimizer == optimizer.label && !record->trace.empty()) trials.push_back(record);
     if (trials.empty()) continue;
     add_curves(optimizer.label, trials, report);
+    if (std::optional<BestOfAll> own = best_of(trials)) report.bests.push_back(std::move(*own));
     report.optimizers.push_back(detail_of(optimizer.label, all.requested(optimizer.label), trials, registry));
     report.scrutiny.optimizers.push_back({optimizer.label, claims_seen(trials), first_to_rest(trials)});
   }
   report.scrutiny.aliases = aliases(records);
   report.ends = ends_of(records);
+  std::ranges::stable_sort(report.bests, {}, &BestOfAll::quality);
   return report;
+}
+
+// Of the first store, which must speak for all.
+RunAgain run_again(std::span<const Store> stores) {
+  const Value* first = nullptr;
+  for (const Store& store : stores) {
+    const Value* study = store.manifest().find("study");
+    if (!study) continue;
+    if (!first) first = study;
+    if (!(list_of(*study, "settings") == list_of(*first, "settings")) ||
+        study->text_or("text", "") != first->text_or("text", ""))
+      return {};
+  }
+  if (!first || first->text_or("text", "").empty()) return {};
+  RunAgain again;
+  const std::filesystem::path file = std::filesystem::path(first->text_or("file", "")).filename();
+  again.file = file.empty() ? "study.toml" : file.string();
+  for (const Value& one : list_of(*first, "included"))
+    again.included.push_back({one.text_or("file", ""), one.text_or("text", "")});
+  for (const Value& setting : list_of(*first, "settings")) again.settings.push_back(setting.text());
+  return again;
 }
 
 // Beside problems that have trials a table without a row only looks like a result.
@@ -198,6 +222,7 @@ ReportData collect(std::span<const Store> stores, const Registry& registry) {
   ReportData data;
   data.study_name = all.study_name;
   data.study_text = all.study_text;
+  data.run_again = run_again(stores);
   for (const NamedProblem& problem : all.problems) data.problems.push_back(make_problem(problem, all, registry));
   leave_out_untried(data.problems, all.warnings);
   for (const TrialRecord& record : all.records)

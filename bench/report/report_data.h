@@ -63,6 +63,7 @@ struct ProblemReport {
   std::vector<OptimizerCurves> curves;         ///< in the table's order; optimizers without a point are left out
   std::vector<OptimizerCurves> unseen_curves;  ///< the same of unseen errors
   std::optional<BestOfAll> best;
+  std::vector<BestOfAll> bests = {};  ///< of each optimizer, the best first: the first one is `best`
   Scrutiny scrutiny = {};
   Ends ends = {};
   std::vector<OptimizerDetail> optimizers = {};  ///< in the table's order
@@ -81,8 +82,16 @@ struct FailedTrial {
   std::string reason;
 };
 
+/// What runs the study again beside its text.
+struct RunAgain {
+  std::string file;                    ///< without its folder; empty where stores are of different studies
+  std::vector<IncludedFile> included;  ///< what the study is joined with
+  std::vector<std::string> settings;   ///< by --set
+};
+
 struct ReportData {
   std::string study_name, study_text;
+  RunAgain run_again = {};
   std::vector<ProblemReport> problems;
   std::vector<Value> builds;  ///< provenance of every build that ran trials, each once
   std::vector<std::string> warnings;

@@ -1,8 +1,11 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Opens a report in a headless browser; fails on console errors, charts not drawn, or a page that is wider than its window.
+# Opens a report in a headless browser; fails on console errors, charts not drawn, a page that is wider than its window,
+# or what an accessibility audit would name (probe.js). Screenshots stay in DIRECTORY.
 #   run_browser.sh write DIRECTORY COMMAND…                      the command writes DIRECTORY/report.html, which is new
-#   run_browser.sh desktop|phone DIRECTORY BROWSER EXPECTED      EXPECTED is what the probe below must find in it
+#   run_browser.sh MODE DIRECTORY BROWSER EXPECTED               EXPECTED is what probe.js must find in it
+# MODE   desktop (1280 pixels), dark (the same), phone (390 pixels), print (as wide as A4; a PDF as well), still (without
+#        scripts). The last two are looked at without the probe: EXPECTED is not looked for.
 set -eu
 
 mode=$1 out=$2
@@ -17,63 +20,15 @@ if [ ! -x "$browser" ]; then
   echo "no browser: install chromium" >&2
   exit 77
 fi
-
-# A script of the test's own, in a copy of the page: it looks, chooses every axis, hides a line, points at one, and
-# writes what happened where --dump-dom shows it.
-probe='<script>
-const wait = (ms) => new Promise((done) => setTimeout(done, ms));
-const lines = () => document.querySelectorAll(".chart .mark-line path").length;
-addEventListener("load", async () => {
-  await wait(300);
-  const races = document.querySelectorAll("figure.race").length;
-  const drawn = [...document.querySelectorAll(".chart")].filter((c) => c.querySelectorAll("svg").length === 1).length;
-  const before = lines();
-  for (const input of document.querySelectorAll(".controls input")) { input.click(); await wait(50); }
-  const chosen = lines();
-  document.querySelector(".keys button").click();
-  await wait(50);
-  const hidden = lines();
-  const point = async (hit) => {
-    const box = hit.getBoundingClientRect();
-    for (const kind of ["mouseover", "mousemove", "pointerover", "pointermove"])
-      hit.dispatchEvent(new MouseEvent(kind, { bubbles: true, clientX: box.x + box.width / 2,
-                                               clientY: box.y + box.height / 2 }));
-    await wait(50);
-  };
-  await point(document.querySelector(".chart .mark-symbol path"));
-  const tip = document.querySelector(".chart .tip");
-  const said = !tip.hidden && /quartiles/.test(tip.textContent);
-  const thick = document.querySelectorAll(".mark-line path[stroke-width=\"3\"]").length;
-  const wide = document.documentElement.scrollWidth > document.documentElement.clientWidth ? "wide" : "fits";
-  const plates = document.querySelectorAll(".plates svg").length;
-  const panels = [...document.querySelectorAll(".panel")];
-  const filled = panels.filter((p) => p.querySelectorAll("svg").length === 1).length;
-  const curves = document.querySelectorAll(".panel .mark-line path").length;
-  let told = false;
-  if (filled > 0) {
-    await point(panels[0].querySelector(".hits path"));
-    told = /after 0 iterations: 0[.]5/.test(panels[0].querySelector(".tip").textContent);
-  }
-  document.title = `PROBE races ${drawn} of ${races}, page ${wide}, plates ${plates}, ` +
-    `lines ${before} ${chosen} ${hidden}, tip ${said}, thick ${thick}, ` +
-    `panels ${filled} of ${panels.length}, curves ${curves}, told ${told}`;
-});
-</script>'
-{ cat "$out/report.html"; printf '%s\n' "$probe"; } > "$out/$mode.probed.html"
-
-# A headless window can't be narrower than 500 pixels, so the phone is a frame in a page.
-printf '%s\n' '<!DOCTYPE html><title>phone</title><style>body{margin:0}iframe{border:0;display:block}</style>
-<iframe src="report.html" width="390" height="5200"></iframe>' > "$out/phone.html"
-printf '%s\n' '<!DOCTYPE html><title>phone</title><iframe src="phone.probed.html" width="390" height="800"></iframe><script>
-addEventListener("load", () => setInterval(() => { document.title = frames[0].document.title; }, 200));
-</script>' > "$out/phone_probed.html"
+here=$(dirname "$0")
 
 flags="--headless --no-sandbox --disable-gpu --disable-dev-shm-usage --hide-scrollbars --allow-file-access-from-files
        --user-data-dir=$out/$mode.profile --no-first-run --enable-logging=stderr --v=0"
+[ "$mode" = dark ] && flags="$flags --blink-settings=preferredColorScheme=0"
 
 run() {  # name, window size, page, what to do
   # shellcheck disable=SC2086
-  timeout 60 "$browser" $flags --window-size="$2" --virtual-time-budget=6000 $4 "file://$out/$3" \
+  timeout 120 "$browser" $flags --window-size="$2" --virtual-time-budget=9000 $4 "file://$out/$3" \
     > "$out/$1.dom" 2> "$out/$1.log" || {
     echo "the browser failed ($1):" >&2
     tail -5 "$out/$1.log" >&2
@@ -86,21 +41,70 @@ run() {  # name, window size, page, what to do
   fi
 }
 
-expect() {
-  if ! grep -q "$expected" "$out/$1.dom"; then
-    echo "expected ($1): $expected" >&2
+# A headless window can't be narrower than 500 pixels, so the phone is a frame in a page. Without scripts: a frame that
+# forbids them, in a page whose script waits until the frame has been read.
+frame() {  # file, page, width, height, attributes
+  printf '%s\n' "<!DOCTYPE html><title>frame</title><style>body{margin:0}iframe{border:0;display:block}</style>
+<iframe src=\"$2\" width=\"$3\" height=\"$4\" $5></iframe><script>
+addEventListener('load', () => setInterval(() => { try { document.title = frames[0].document.title; } catch { } }, 200));
+</script>" > "$out/$1"
+}
+
+expect() {  # name, what its title must say
+  if ! grep -qF "$2" "$out/$1.dom"; then
+    echo "expected ($1): $2" >&2
     echo "found: $(grep -o '<title>[^<]*' "$out/$1.dom" | head -1)" >&2
     exit 1
   fi
 }
 
-if [ "$mode" = desktop ]; then
-  probed=1280,900,desktop.probed.html shown=1280,4400,report.html
-else
-  probed=800,900,phone_probed.html shown=390,5200,phone.html
-fi
-run "${mode}_probe" "${probed%,*}" "${probed##*,}" --dump-dom
-expect "${mode}_probe"
-run "$mode" "${shown%,*}" "${shown##*,}" "--screenshot=$out/$mode.png"
+probe() {  # into a copy of the page: page, copy, script
+  { cat "$out/$1"; printf '<script>\n'; cat "$3"; printf '</script>\n'; } > "$out/$2"
+}
+
+case "$mode" in
+  desktop | dark)
+    probe report.html "$mode.probed.html" "$here/probe.js"
+    run "${mode}_probe" 1280,900 "$mode.probed.html" --dump-dom
+    expect "${mode}_probe" "$expected"
+    run "$mode" 1280,5200 report.html "--screenshot=$out/$mode.png"
+    ;;
+  phone)
+    probe report.html phone.probed.html "$here/probe.js"
+    frame phone_probed.html phone.probed.html 390 800 ""
+    frame phone.html report.html 390 6400 ""
+    run phone_probe 800,900 phone_probed.html --dump-dom
+    expect phone_probe "$expected"
+    run phone 390,6400 phone.html "--screenshot=$out/phone.png"
+    ;;
+  print)
+    # What a printer gets, on a screen: its rules for all, none of the screen's.
+    sed -e 's/@media print/@media all/; s/@media screen and ([^)]*)/@media not all/; s/@media screen {/@media not all {/' \
+      "$out/report.html" > "$out/print.html"
+    printf '%s\n' 'addEventListener("load", () => setTimeout(() => {
+      for (const folded of document.querySelectorAll("details")) folded.open = true;
+      const page = document.documentElement, out = [...document.querySelectorAll("table, svg, pre, dl")].filter((e) =>
+        e.getClientRects().length > 0 && e.getBoundingClientRect().right > page.clientWidth + 1);
+      const seen = document.querySelectorAll(".still svg").length;
+      const controls = [...document.querySelectorAll("input, .keys, .save")].filter((e) => e.getClientRects().length > 0);
+      document.title = `PRINTED cut ${out.map((e) => `${e.tagName}.${e.className.baseVal ?? e.className}`)
+        .join(" ") || "nothing"}, controls ${controls.length}, pictures ${seen > 0}`;
+    }, 500));' > "$out/print_probe.js"
+    probe print.html print.probed.html "$out/print_probe.js"
+    run print_probe 703,1000 print.probed.html --dump-dom
+    expect print_probe "PRINTED cut nothing, controls 0, pictures true"
+    run print 703,6000 print.probed.html "--screenshot=$out/print.png"
+    run print_pdf 1280,900 report.html "--no-pdf-header-footer --print-to-pdf=$out/print.pdf"
+    [ -s "$out/print.pdf" ] || { echo "no PDF" >&2; exit 1; }
+    ;;
+  still)
+    frame still.html report.html 1280 5200 sandbox
+    run still 1280,5200 still.html "--screenshot=$out/still.png"
+    ;;
+  *)
+    echo "no such mode: $mode" >&2
+    exit 2
+    ;;
+esac
 rm -rf "$out/$mode.profile"
-echo "screenshot: $out/$mode.png"
+echo "looked at: $out/$mode"

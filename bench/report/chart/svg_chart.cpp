@@ -74,7 +74,7 @@ class Drawn {
 
   [[nodiscard]] std::string x_axis() const {
     std::string grid, texts;
-    for (const double tick : ticks(*chart_.x.limits, chart_.x.scale, most(width_, 95.0))) {
+    for (const double tick : ticks(*chart_.x.limits, chart_.x.scale, most(width_, 78.0))) {
       grid += fmt::format("M{:.1f} {:.1f}V{:.1f}", x(tick), kTop, bottom_ + 4.0);
       texts += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\">{}</text>", x(tick), bottom_ + 18.0,
                            tick_text(tick, chart_.x.seconds));

@@ -259,5 +259,68 @@ TEST_F(Collect, RefusesOtherFilesUnderOneLabel) {
   EXPECT_THROW((void)merge(of("e", "k1", "12ab"), of("f", "k2", "34cd")), InputError);
 }
 
+TEST_F(Collect, TellsOfEachOptimizerHowItWasSetAndEveryTrial) {
+  TrialRecord first = record("a0", "annealing", 2.0), second = record("a1", "annealing", 3.0);
+  second.repeat = 1;
+  first.options.set("steps", 10);
+  second.options.set("steps", 10);
+  second.end = End::failed;
+  second.reason = "<broke>";
+  first.health.drift = 1e-9;
+  second.health.drift = 1e-7;
+  first.conditions = Conditions{"build", "a processor", 2, 4, false, false};
+  const std::vector<Store> stores = [&] {
+    std::vector<Store> made;
+    made.push_back(store("a", {second, first}));
+    return made;
+  }();
+  ReportData data = collect(stores, kinds());
+  ASSERT_EQ(data.problems[0].optimizers.size(), 1u);
+  OptimizerDetail& detail = data.problems[0].optimizers[0];
+  ASSERT_EQ(detail.repeats.size(), 2u);
+  EXPECT_EQ(detail.repeats[1].repeat, 1);
+  EXPECT_EQ(detail.repeats[1].reason, "<broke>");
+  EXPECT_FALSE(detail.repeats[0].curve.empty());
+  EXPECT_EQ(detail.health.drift, 1e-7);  // the worst
+  EXPECT_EQ(detail.conditions, (std::vector<std::string>{"a processor; 2 jobs at once on 4 cores"}));
+  ASSERT_EQ(detail.options.size(), 1u);
+  EXPECT_FALSE(detail.knows_request);  // this manifest is an older build's
+  EXPECT_FALSE(detail.options[0].differs());
+
+  const std::string page = optimizers_html(data);
+  EXPECT_NE(page.find("&lt;broke&gt;"), std::string::npos);
+  EXPECT_EQ(page.find("asked for"), std::string::npos);
+  EXPECT_NE(page.find("<desc"), std::string::npos);
+}
+
+TEST(OptimizerDetail, SaysWhatRanOtherwiseThanAsked) {
+  TrialRecord trial;
+  trial.use = "nobody-knows";
+  trial.options.set("steps", 10);
+  trial.options.set("scale", 0.5);
+  trial.options.set("seed", 1);
+  TrialRecord other = trial;
+  other.options.set("seed", 2);
+  Value asked;
+  asked.set("steps", 20);
+  asked.set("scale", 0.5);
+  const std::vector<const TrialRecord*> trials = {&trial, &other};
+  const OptimizerDetail detail = detail_of("mine", &asked, trials, kinds());
+  ASSERT_EQ(detail.options.size(), 3u);
+  EXPECT_TRUE(detail.options[0].differs());
+  EXPECT_FALSE(detail.options[1].differs());
+  EXPECT_FALSE(detail.options[2].differs());  // nobody asked for it
+  EXPECT_TRUE(detail.options[2].varies);
+  ReportData data;
+  data.problems.emplace_back();
+  data.problems[0].optimizers = {detail};
+  const std::string page = optimizers_html(data);
+  EXPECT_NE(
+      page.find("<tr class=\"differs\"><th scope=\"row\"><code>steps</code></th><td>20</td><td>10 <strong>(not as "
+                "asked for)</strong></td>"),
+      std::string::npos);
+  EXPECT_NE(page.find("ran with other options than asked for</summary>"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace nodal::report

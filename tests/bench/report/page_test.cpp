@@ -145,5 +145,18 @@ TEST(Page, NeverWritesWhatIsNoNumber) {
   EXPECT_EQ(count(chart_html(data.problems[0], 0), "null"), 0u);
 }
 
+TEST(Page, SaysHowToRunTheStudyAgain) {
+  ReportData data = fixture::make_data();
+  EXPECT_EQ(report_html(data).find("To run it again"), std::string::npos);  // of several studies: which?
+  data.run_again = {
+      "plate.toml", {{"folder/common.toml", "repeats = 3 # <b>"}}, {"study.seed=3", "problem.label='a b'"}};
+  const std::string page = report_html(data);
+  EXPECT_NE(page.find("nodal compare plate.toml --set study.seed=3 --set &#39;problem.label=&#39;\\&#39;&#39;a "
+                      "b&#39;\\&#39;&#39;&#39;</pre>"),
+            std::string::npos);
+  EXPECT_NE(page.find("It includes common.toml"), std::string::npos);
+  EXPECT_NE(page.find("repeats = 3 # &lt;b&gt;"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace nodal::report

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "show/exhibit.h"
 
+#include <algorithm>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -14,6 +15,7 @@
 #include "show/make_picture.h"
 #include "show/picture_svg.h"
 #include "show/pictures_html.h"
+#include "show/springs_html.h"
 #include "show/state.h"
 #include "show/style.h"
 
@@ -108,9 +110,12 @@ std::vector<std::string> ElasticExhibit::remedies() const {
 ReportPart ElasticExhibit::report(const std::string& label, std::span<const LabelledPoint> points) const {
   if (problem_.net().springs.size() > kMostPicturedSprings) return {};
   std::vector<Picture> pictures;
-  for (const LabelledPoint& point : points)
+  const bool all = problem_.net().springs.size() <= kMostToldSprings;
+  for (const LabelledPoint& point : points.first(all ? points.size() : std::min<std::size_t>(points.size(), 2)))
     if (auto picture = make_picture(problem_, point.x, label, point.label)) pictures.push_back(std::move(*picture));
-  return {pictures_html(pictures), std::string(picture_css()) + std::string(pictures_css()), {}};
+  const bool told = pictures.size() > 1 && problem_.net().springs.size() <= kMostToldSprings;
+  return {pictures_html(pictures), std::string(picture_css()) + std::string(pictures_css()),
+          std::string(told ? springs_js() : std::string_view())};
 }
 
 std::vector<ExportFormat> ElasticExhibit::formats() const {

@@ -44,6 +44,8 @@ class DrawnSprings {
 [[nodiscard]] std::string load_svg(const Picture& picture, const PicturedLoad& load, const Frame& frame,
                                    const StiffnessColours& colours);
 
+/// Of the system at rest in a panel of that width.
+[[nodiscard]] Frame system_frame(const Picture& picture, double width);
 /// The system at rest: body, Voronoi cells, springs, nodes sized by mass, and a strip with the scales of both.
 [[nodiscard]] Drawing system_panel(const Picture& picture, double width, const StiffnessColours& colours);
 /// The same as a complete <svg> element.

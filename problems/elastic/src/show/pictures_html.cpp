@@ -8,12 +8,14 @@
 #include "show/panels.h"
 #include "show/picture_svg.h"
 #include "show/pictures_html.h"
+#include "show/springs_html.h"
 
 namespace nodal::elastic::show {
 
 namespace {
 
 constexpr std::size_t kMostColumns = 5;  // the system and the four loads of the paper
+constexpr std::size_t kMostRows = 2;     // before and after: of others only the systems are drawn
 
 std::string figure_html(const char* style, const std::string& svg, const std::string& name,
                         const std::string& figures) {
@@ -61,13 +63,14 @@ std::string pictures_html(std::span<const Picture> all) {
   if (all.empty()) return {};
   std::vector<const Picture*> pictures;
   for (const Picture& picture : all) pictures.push_back(&picture);
-  const Frame frame = make_frame(pictures);
   const StiffnessColours colours(pictures);
+  pictures.resize(std::min(pictures.size(), kMostRows));
+  const Frame frame = make_frame(pictures);
   std::string text = "<div class=\"plate-figure\">\n", note;
   for (const Picture* picture : pictures) text += row_html(*picture, frame, colours);
   for (const std::string& sentence : picture_legend(*pictures.front(), frame)) note += escape_html(sentence) + " ";
   note.pop_back();
-  return text + "<p class=\"note\">" + note + "</p>\n" + scale_svg(colours) + "</div>\n";
+  return text + "<p class=\"note\">" + note + "</p>\n" + scale_svg(colours) + springs_html(all, colours) + "</div>\n";
 }
 
 }  // namespace nodal::elastic::show

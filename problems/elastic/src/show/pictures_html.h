@@ -10,7 +10,8 @@
 
 namespace nodal::elastic::show {
 
-/// Before and after, load by load, on one scale of deformation and of colour. Empty without pictures.
+/// Before and after, load by load, on one scale of deformation and of colour; then all of them, spring by spring
+/// (springs_html.h). Empty without pictures.
 [[nodiscard]] std::string pictures_html(std::span<const Picture> pictures);
 
 }  // namespace nodal::elastic::show

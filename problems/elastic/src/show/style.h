@@ -14,5 +14,7 @@ namespace nodal::elastic::show {
 [[nodiscard]] std::string_view details_css();
 /// Draws the charts of details_html.
 [[nodiscard]] std::string_view voronoi_js();
+/// Tells of springs in pictures that are pointed at.
+[[nodiscard]] std::string_view springs_js();
 
 }  // namespace nodal::elastic::show

@@ -124,8 +124,10 @@ std::string mass_key(const Picture& picture, const Frame& frame, double y, doubl
 
 }  // namespace
 
+Frame system_frame(const Picture& picture, double width) { return make_rest_frame(picture, width, kStrip); }
+
 Drawing system_panel(const Picture& picture, double width, const StiffnessColours& colours) {
-  const Frame frame = make_rest_frame(picture, width, kStrip);
+  const Frame frame = system_frame(picture, width);
   std::vector<Point> places;
   for (const Point& node : picture.nodes) places.push_back(frame.at(node));
   double x = 8.0;

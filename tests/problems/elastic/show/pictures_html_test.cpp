@@ -22,10 +22,32 @@ std::size_t count(const std::string& text, std::string_view part) {
 TEST(PicturesHtml, ShowTheSystemBeforeItsLoads) {
   const std::string html =
       pictures_html(std::vector{fixture::make_square("start", 0.5), fixture::make_square("best: annealing", 0.25)});
-  EXPECT_EQ(count(html, "<svg class=\"plate system\""), 2u);
+  EXPECT_EQ(count(html.substr(0, html.find("<h3>Spring by spring")), "<svg class=\"plate system\""), 2u);
   EXPECT_EQ(count(html, "<svg class=\"plate load\""), 2u);
   EXPECT_EQ(count(html, "<svg class=\"plate scale\""), 1u);  // one for all pictures of the problem
   EXPECT_LT(html.find("<svg class=\"plate system\""), html.find("<svg class=\"plate load\""));
+}
+
+// Before and after in full, of all others the system; each spring is told by its nodes and every stiffness.
+TEST(PicturesHtml, ShowEveryFurtherSystemSpringBySpring) {
+  std::vector<Picture> all = {fixture::make_square("start", 0.5), fixture::make_square("best: annealing", 0.25),
+                              fixture::make_square("<other>", 0.3)};
+  all[1].springs[0].stiffness = 2.0 * all[0].springs[0].stiffness;
+  all[2].springs[0].stiffness = 0.5 * all[0].springs[0].stiffness;
+  const std::string html = pictures_html(all);
+  EXPECT_EQ(count(html, "<svg class=\"plate load\""), 2u);
+  EXPECT_EQ(count(html, "<figure data-system="), 2u);
+  EXPECT_EQ(count(html, "<svg class=\"plate difference\""), 2u);
+  // One stiffer and one softer than at the start, all others alike.
+  EXPECT_EQ(count(html, "<path stroke=\"#b2182b\""), 1u);
+  EXPECT_EQ(count(html, "<path stroke=\"#2166ac\""), 1u);
+  EXPECT_EQ(count(html, "<path stroke=\"#b0b0b0\""), 2u);
+  EXPECT_NE(html.find("(up to 2.00 times; alike within 2 %)"), std::string::npos);
+  EXPECT_NE(html.find("<th scope=\"col\">&lt;other&gt;</th>"), std::string::npos);
+  EXPECT_EQ(count(html, "<other>"), 0u);
+  const PicturedSpring& s = all[0].springs[0];
+  EXPECT_NE(html.find("<th scope=\"row\">" + std::to_string(s.first) + "–" + std::to_string(s.second) + "</th>"),
+            std::string::npos);
 }
 
 TEST(PicturesHtml, ShowWhatWasNeverFittedApart) {
