@@ -300,6 +300,10 @@ std::optional<double> first_reached(const TrialRecord& record, double quality, A
   return point ? std::optional(position(record, *point, axis)) : std::nullopt;
 }
 
+std::optional<double> gap_reached(const TrialRecord& record, const ProblemReference& reference, double gap, Axis axis) {
+  return arrival_of(record, reference, gap).where(record, axis);
+}
+
 namespace {
 
 std::optional<UnseenSummary> summarize_unseen(const std::vector<const TrialRecord*>& trials) {

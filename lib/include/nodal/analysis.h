@@ -135,6 +135,9 @@ struct RowRequest {
 
 /// Where a trial stood on an axis when it first had quality ≤ the given one; empty: never.
 [[nodiscard]] std::optional<double> first_reached(const TrialRecord& record, double quality, Axis axis);
+/// The same for a gap of the trial's own start: 0 where it `starts_at_best`.
+[[nodiscard]] std::optional<double> gap_reached(const TrialRecord& record, const ProblemReference& reference,
+                                                double gap, Axis axis);
 /// The trial's position on an axis at a point of its trace, and at its end.
 [[nodiscard]] double position(const TrialRecord& record, const TracePoint& point, Axis axis);
 [[nodiscard]] double end_position(const TrialRecord& record, Axis axis);

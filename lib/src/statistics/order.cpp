@@ -54,6 +54,24 @@ double quantile(std::vector<double> values, double p) {
   return quantile_of_sorted(values, p);
 }
 
+std::optional<std::pair<double, double>> median_interval(std::vector<double> values, double confidence) {
+  require_order(values);
+  if (!(confidence > 0.0 && confidence < 1.0))
+    throw std::invalid_argument("statistics: a confidence lies between 0 and 1");
+  std::ranges::sort(values);
+  // P(Bin(n, ½) = k), k rising, until the tail is too heavy.
+  const auto n = static_cast<double>(values.size());
+  double chance = std::pow(0.5, n), tail = chance;
+  std::size_t j = 0;
+  while (tail <= 0.5 * (1.0 - confidence) && 2 * j < values.size()) {
+    ++j;
+    chance *= (n - static_cast<double>(j) + 1.0) / static_cast<double>(j);
+    tail += chance;
+  }
+  if (j == 0) return std::nullopt;
+  return std::pair(values[j - 1], values[values.size() - j]);
+}
+
 std::vector<double> mid_ranks(std::span<const double> values) {
   std::vector<double> ranks(values.size());
   visit_groups(values, [&](const std::vector<std::size_t>& order, std::size_t first, std::size_t last) {

@@ -33,6 +33,25 @@ TEST(Order, TiesShareTheirRanks) {
   EXPECT_EQ(tie_term(std::vector<double>{}), 0.0);
 }
 
+// Of n values the j-th from either end, with P(Bin(n, ½) < j) ≤ 0.025: tables of the sign test.
+TEST(Order, AnIntervalOfTheMedianIsOfOrderStatistics) {
+  std::vector<double> values;
+  const auto ends = [&](std::size_t n) {
+    values.clear();
+    for (std::size_t i = n; i > 0; --i) values.push_back(static_cast<double>(i));
+    return median_interval(values);
+  };
+  EXPECT_FALSE(ends(0));
+  EXPECT_FALSE(ends(5));
+  EXPECT_EQ(*ends(6), std::pair(1.0, 6.0));
+  EXPECT_EQ(*ends(9), std::pair(2.0, 8.0));
+  EXPECT_EQ(*ends(15), std::pair(4.0, 12.0));
+  EXPECT_EQ(*ends(20), std::pair(6.0, 15.0));
+  EXPECT_EQ(*ends(30), std::pair(10.0, 21.0));
+  EXPECT_EQ(median_interval({1, 2, 3, kNever, kNever, kNever})->second, kNever);
+  EXPECT_THROW((void)median_interval({1.0}, 1.0), std::invalid_argument);
+}
+
 TEST(Order, HasNoPlaceForNan) {
   EXPECT_THROW((void)quantile({1.0, kNan}, 0.5), std::invalid_argument);
   EXPECT_THROW((void)mid_ranks(std::vector{kNan}), std::invalid_argument);

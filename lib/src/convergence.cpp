@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <nodal/convergence.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include <nodal/random.h>
+
+#include "known_quality.h"
+
+namespace nodal {
+
+namespace {
+
+constexpr double kNever = std::numeric_limits<double>::infinity();
+constexpr std::array<Axis, 3> kAxes = {Axis::seconds, Axis::evaluations, Axis::work};
+constexpr double kLargestGap = 1.0, kSmallestGap = 1e-8;
+constexpr double kDecadesOfSeconds = 1e4;
+
+std::size_t at(Axis axis) { return static_cast<std::size_t>(axis); }
+
+using Trials = std::vector<const TrialRecord*>;
+
+Trials trials_of(const Contest& contest, const std::string& optimizer) {
+  Trials trials;
+  for (const TrialRecord* trial : contest.trials)
+    if (trial->optimizer == optimizer) trials.push_back(trial);
+  return trials;
+}
+
+Trials trusted(const Trials& trials, Axis axis) {
+  if (axis != Axis::seconds) return trials;
+  Trials clean;
+  for (const TrialRecord* trial : trials)
+    if (contamination(*trial).empty()) clean.push_back(trial);
+  return clean.empty() ? trials : clean;
+}
+
+double longest_end(const Contest& contest, Axis axis) {
+  double longest = 0.0;
+  for (const TrialRecord* trial : contest.trials) longest = std::max(longest, end_position(*trial, axis));
+  return longest;
+}
+
+// A trial whose process died has no end of its own: it has cost as much as the longest.
+statistics::RunLength length_of(const TrialRecord& trial, const ProblemReference& reference, double gap, Axis axis,
+                                double longest) {
+  const bool died = trial.end == End::timeout || trial.end == End::crashed;
+  return {gap_reached(trial, reference, gap, axis), died ? longest : end_position(trial, axis)};
+}
+
+bool all_alike(const std::vector<statistics::RunLength>& lengths) {
+  return std::ranges::all_of(lengths, [&](const statistics::RunLength& length) {
+    return length.reached && length.reached == lengths.front().reached;
+  });
+}
+
+std::optional<statistics::Interval> interval_of(const std::vector<statistics::RunLength>& lengths, double expected,
+                                                const std::string& name) {
+  if (all_alike(lengths)) return statistics::Interval{expected, expected};
+  return statistics::bootstrap_running_time(lengths, hash64(name), kResamples);
+}
+
+statistics::History gaps_of(const statistics::History& qualities, double start, const ProblemReference& reference) {
+  statistics::History gaps = qualities;
+  const double unit = start - reference.best_quality;
+  for (statistics::BestSoFar& point : gaps)
+    point.quality = unit > 0.0 ? (point.quality - reference.best_quality) / unit : 0.0;
+  return gaps;
+}
+
+// Points evenly spaced in the logarithm of costs: the last before each place, and the very last.
+statistics::History thinned(const statistics::History& history) {
+  if (history.size() <= kCurvePoints) return history;
+  const auto positive = std::ranges::find_if(history, [](const statistics::BestSoFar& p) { return p.cost > 0.0; });
+  const double first = std::log(positive->cost), last = std::log(history.back().cost);
+  statistics::History kept = {history.front()};
+  for (std::size_t i = 1; i < kCurvePoints; ++i) {
+    const double place =
+        std::exp(first + (last - first) * static_cast<double>(i) / static_cast<double>(kCurvePoints - 1));
+    const auto after = std::ranges::partition_point(
+        history, [place](const statistics::BestSoFar& point) { return point.cost <= place; });
+    const statistics::BestSoFar& point = i + 1 == kCurvePoints ? history.back() : *std::prev(after);
+    if (point.cost > kept.back().cost) kept.push_back(point);
+  }
+  return kept;
+}
+
+// Everything about one problem that does not depend on the optimizer.
+struct Frame {
+  const Contest& contest;
+  const ProblemTable& table;
+  ProblemConvergence& found;
+  ByAxis<double> longest;
+};
+
+TargetFigures target_figures(const Frame& frame, const Trials& trials, const OptimizerRow& row, double gap,
+                             ConvergenceFigures& figures) {
+  TargetFigures target;
+  target.gap = gap;
+  target.success = statistics::success_rate(row.target(gap).reached, row.target(gap).runs);
+  for (const Axis axis : kAxes) {
+    std::vector<statistics::RunLength> lengths;
+    for (const TrialRecord* trial : trusted(trials, axis))
+      lengths.push_back(length_of(*trial, frame.table.reference, gap, axis, frame.longest[at(axis)]));
+    target.expected[at(axis)] = statistics::expected_running_time(lengths);
+    if (const std::optional<double>& expected = target.expected[at(axis)])
+      target.interval[at(axis)] =
+          interval_of(lengths, *expected,
+                      fmt::format("{}\n{}\n{}\n{}", frame.table.reference.label, row.label, gap, to_string(axis)));
+    std::vector<statistics::RunLength>& all = figures.lengths[at(axis)];
+    all.insert(all.end(), lengths.begin(), lengths.end());
+  }
+  return target;
+}
+
+void add_curves(const Frame& frame, const Trials& trials, Axis axis, ConvergenceFigures& figures) {
+  const std::optional<statistics::AnytimeLimits>& limits = frame.found.limits[at(axis)];
+  std::vector<statistics::History> histories;
+  double areas = 0.0;
+  for (const TrialRecord* trial : trusted(trials, axis)) {
+    histories.push_back(quality_history(*trial, axis));
+    if (limits && trial->start.quality)
+      areas += statistics::area_over_convergence(
+          gaps_of(histories.back(), *trial->start.quality, frame.table.reference), *limits);
+  }
+  if (limits && !histories.empty()) figures.area[at(axis)] = areas / static_cast<double>(histories.size());
+  for (std::size_t share = 0; share < kAttainedShares.size(); ++share)
+    figures.attained[at(axis)][share] = thinned(statistics::attainment_surface(histories, kAttainedShares[share]));
+}
+
+std::optional<statistics::AnytimeLimits> limits_of(Axis axis, double to, double least_gap) {
+  const double from = axis == Axis::seconds ? to / kDecadesOfSeconds : 1.0;
+  const double smallest = std::max(kSmallestGap, least_gap);
+  if (!(from > 0.0 && from < to && smallest < kLargestGap)) return std::nullopt;
+  return statistics::AnytimeLimits{from, to, kLargestGap, smallest};
+}
+
+}  // namespace
+
+double least_target_gap(const Contest& contest) {
+  const ProblemReference& reference = contest.reference;
+  const double best = reference.best_quality;
+  double span = kNever;
+  for (const TrialRecord* trial : contest.trials)
+    if (trial->start.quality && *trial->start.quality > best && !starts_at_best(trial->start, reference))
+      span = std::min(span, *trial->start.quality - best);
+  if (span == kNever) return 0.0;
+  return (reference.provisional ? measured_to(best) : known_to(best)) / span;
+}
+
+statistics::History quality_history(const TrialRecord& record, Axis axis) {
+  statistics::History history;
+  for (const TracePoint& point : record.trace) {
+    const double cost = position(record, point, axis);
+    // Two of one tick of the clock: the later is the better.
+    if (!history.empty() && cost <= history.back().cost)
+      history.back().quality = point.quality;
+    else
+      history.push_back({cost, point.quality});
+  }
+  return history;
+}
+
+ProblemConvergence converge(const Contest& contest, const ProblemTable& table, std::optional<double> seconds,
+                            std::optional<double> evaluations) {
+  ProblemConvergence found;
+  found.problem = table.reference.label;
+  found.least_gap = least_target_gap(contest);
+  for (const double gap : kTargetGaps)
+    if (gap < found.least_gap) found.refused.push_back(gap);
+  Frame frame{contest, table, found, {}};
+  for (const Axis axis : kAxes) {
+    const double longest = frame.longest[at(axis)] = longest_end(contest, axis);
+    const std::optional<double> budget = axis == Axis::seconds       ? seconds
+                                         : axis == Axis::evaluations ? evaluations
+                                                                     : std::nullopt;
+    found.limits[at(axis)] = limits_of(axis, budget.value_or(longest), found.least_gap);
+  }
+  for (const OptimizerRow& row : table.rows) {
+    const Trials trials = trials_of(contest, row.label);
+    if (trials.empty()) continue;
+    ConvergenceFigures& figures = found.optimizers.emplace_back();
+    figures.optimizer = row.label;
+    for (const double gap : kTargetGaps)
+      if (gap >= found.least_gap) figures.targets.push_back(target_figures(frame, trials, row, gap, figures));
+    for (const Axis axis : kAxes) add_curves(frame, trials, axis, figures);
+  }
+  return found;
+}
+
+}  // namespace nodal

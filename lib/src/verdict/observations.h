@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+/// What of an optimizer's trials counts under a limit.
+
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include <nodal/verdict.h>
+
+namespace nodal::verdict {
+
+/// Trials that went one way from one start.
+struct Observation {
+  int repeat = 0;               ///< of the first of them
+  std::optional<double> start;  ///< its quality; empty where nobody knows it
+  double quality = 0.0;         ///< within the limit, as it was measured; +∞ for never
+};
+
+struct Observations {
+  std::vector<Observation> all;
+  std::vector<const TrialRecord*> trials;  ///< that count
+  std::size_t disturbed = 0;
+  bool only_disturbed = false;
+  [[nodiscard]] std::vector<double> qualities() const;
+};
+
+/// Qualities as verdicts compare them.
+class Told {
+ public:
+  explicit Told(const Contest& contest);
+  /// Kept in order: a ≤ b gives told(a) ≤ told(b).
+  [[nodiscard]] double operator()(double quality) const;
+  /// (G − G*)/(G_start − G*), of a quality as it is told; 0 at G*.
+  [[nodiscard]] double gap(double quality) const;
+
+ private:
+  double best_ = 0.0, unit_ = 1.0, noise_ = 0.0;
+};
+
+/// Starts of a problem by repeat, as far as any trial has one.
+[[nodiscard]] std::map<int, double> starts_of(const Contest& contest);
+
+[[nodiscard]] Observations observe(const Contest& contest, const RowRequest& optimizer, const Limit& limit,
+                                   const std::map<int, double>& starts);
+
+}  // namespace nodal::verdict

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pair_tests.h"
+
+#include <algorithm>
+
+#include <nodal/statistics/two_samples.h>
+
+namespace nodal::verdict {
+
+Tested test_pair(const Samples& samples) {
+  Tested tested;
+  tested.pairs = std::min(samples.x.size(), samples.y.size());
+  tested.effect = statistics::vargha_delaney(samples.x, samples.y);
+  if (tested.pairs < 2) return tested;
+  tested.test = samples.paired ? PairTest::wilcoxon : PairTest::mann_whitney;
+  tested.p =
+      (samples.paired ? statistics::wilcoxon(samples.x, samples.y) : statistics::mann_whitney(samples.x, samples.y))->p;
+  return tested;
+}
+
+Tested test_pairs_together(std::span<const Samples> by_problem) {
+  Tested tested;
+  std::vector<double> x, y;
+  double effects = 0.0;
+  bool paired = true;
+  for (const Samples& samples : by_problem) {
+    paired = paired && samples.paired;
+    const auto pairs = std::min(samples.x.size(), samples.y.size());
+    if (pairs == 0) continue;
+    effects += static_cast<double>(pairs) * *statistics::vargha_delaney(samples.x, samples.y);
+    tested.pairs += pairs;
+    x.insert(x.end(), samples.x.begin(), samples.x.end());
+    y.insert(y.end(), samples.y.begin(), samples.y.end());
+  }
+  if (tested.pairs > 0) tested.effect = effects / static_cast<double>(tested.pairs);
+  if (!paired || tested.pairs < 2) return tested;
+  tested.test = PairTest::wilcoxon;
+  tested.p = statistics::wilcoxon(x, y)->p;
+  return tested;
+}
+
+std::size_t adjust(std::vector<Tested>& tests) {
+  std::vector<double> p;
+  for (const Tested& tested : tests)
+    if (tested.test != PairTest::none) p.push_back(tested.p);
+  const std::vector<double> adjusted = statistics::holm(p);
+  auto next = adjusted.begin();
+  for (Tested& tested : tests)
+    if (tested.test != PairTest::none) tested.p = *next++;
+  return p.size();
+}
+
+}  // namespace nodal::verdict
