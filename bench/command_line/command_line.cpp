@@ -203,10 +203,12 @@ void add_fit(CLI::App& app, const Registry& registry, int& exit) {
 
 void add_report(CLI::App& app, const Registry& registry, int& exit) {
   const auto to = std::make_shared<ReportArguments>();
-  CLI::App& command = add_command(app, "report", "Make table, summary.csv and report.html again from stored trials",
+  CLI::App& command = add_command(app, "report", "Make table, CSV files and report.html again from stored trials",
                                   report_command, registry, exit, to);
   command.add_option("stores", to->directories, "Directories that nodal compare wrote")->required()->type_name("DIR…");
   command.add_option("--out", to->out, "Where the files go (default: into the one store)")->type_name("DIR");
+  command.add_option("--latex", to->latex, "Write the answer and each problem's results as LaTeX tables, too")
+      ->type_name("FILE");
 }
 
 void add_merge(CLI::App& app, const Registry& registry, int& exit) {

@@ -45,7 +45,7 @@ struct FitArguments {
 
 struct ReportArguments {
   std::vector<std::string> directories;
-  std::string out;
+  std::string out, latex;  ///< `latex`: a file for tables
 };
 
 struct MergeArguments {

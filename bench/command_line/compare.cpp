@@ -107,7 +107,7 @@ int compare_command(const CompareArguments& arguments, const Registry& registry)
   // Read back: what the report shows is what is on the disk.
   std::vector<Store> stores;
   stores.push_back(Store::open_existing(directory));
-  write_report(stores, registry, stores.front(), &study);
+  write_report(stores, registry, stores.front(), {.study = &study});
   return result.failed > 0 ? kExitTrialFailed : 0;
 }
 

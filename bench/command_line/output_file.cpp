@@ -32,6 +32,13 @@ void refuse_no_picture(const std::string& option, const std::string& path) {
   refuse_unwritable(option, path);
 }
 
+void refuse_no_tables(const std::string& option, const std::string& path) {
+  if (extension_of(path) != ".tex")
+    throw InputError(Source{option, 0},
+                     fmt::format("'{}' doesn't end in .tex; tables are a LaTeX file, e.g. tables.tex", path));
+  refuse_unwritable(option, path);
+}
+
 void refuse_picture_of(const std::string& option, const std::string& path, const std::string& label,
                        const Exhibit& exhibit) {
   refuse_no_picture(option, path);

@@ -15,6 +15,8 @@ void refuse_unwritable(const std::string& option, const std::string& path);
 /// The same for a picture, whose name must end in ".svg", in either case: so that no study or stiffness file is
 /// overwritten by one.
 void refuse_no_picture(const std::string& option, const std::string& path);
+/// The same for tables of LaTeX, whose name must end in ".tex".
+void refuse_no_tables(const std::string& option, const std::string& path);
 /// The same for a picture of a problem's system, and InputError where it has none.
 void refuse_picture_of(const std::string& option, const std::string& path, const std::string& label,
                        const Exhibit& exhibit);

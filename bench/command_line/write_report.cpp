@@ -8,6 +8,8 @@
 
 #include <fmt/format.h>
 
+#include <nodal/file.h>
+
 #include "console.h"
 #include "page_pictures.h"
 #include "report/figure_files.h"
@@ -40,19 +42,24 @@ void add_or_say(const Store& store, report::ReportData& data, Add add) {
 
 }  // namespace
 
-void write_report(std::span<const Store> stores, const Registry& registry, Store& target, const Study* study) {
+void write_report(std::span<const Store> stores, const Registry& registry, Store& target, const ReportWishes& wishes) {
   report::ReportData data = report::collect(stores, registry);
-  if (study)
-    add_or_say(target, data, [&] { add_pictures(*study, data); });
+  if (wishes.study)
+    add_or_say(target, data, [&] { add_pictures(*wishes.study, data); });
   else
     for (const Store& store : stores) add_or_say(store, data, [&] { add_stored_pictures(store, registry, data); });
   // Files first: whoever reads the table may go away, or have no room for it. It stands there even if they can't.
-  const auto print = [&data] { std::cout << report::console_table(data, table_width()) << std::flush; };
+  const auto print = [&data] {
+    std::cout << report::console_table(data, table_width()) << '\n' << report::answer_lines(data) << std::flush;
+  };
   try {
     target.write_file("summary.csv", report::summary_csv(data));
+    target.write_file("optimizers.csv", report::optimizers_csv(data));
+    target.write_file("budgets.csv", report::budgets_csv(data));
     target.write_file("report.html", report::report_html(data));
     for (const report::FigureFile& figure : report::figure_files(data))
       target.write_file("figures/" + figure.name, figure.svg);
+    if (!wishes.latex.empty()) replace_file(wishes.latex, report::latex_tables(data));
   } catch (const StoreError&) {
     print();
     throw;

@@ -132,9 +132,9 @@ std::string scripts_html(const ReportData& data) {
 }  // namespace
 
 std::string report_html(const ReportData& data) {
-  std::string body = warnings_html(data);
+  std::string body = answer_html(data) + warnings_html(data);
   for (std::size_t i = 0; i < data.problems.size(); ++i) body += problem_html(data, i);
-  body += optimizers_html(data) + how_to_read(data) + failures_html(data) + provenance_html(data);
+  body += convergence_html(data) + optimizers_html(data) + how_to_read(data) + failures_html(data) + provenance_html(data);
   std::string page =
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" +

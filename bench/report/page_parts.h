@@ -18,6 +18,21 @@ namespace nodal::report {
 /// The chart of its unseen errors. Empty where nothing is held out.
 [[nodiscard]] std::string unseen_chart_html(const ProblemReport& problem, std::size_t index);
 
+/// Which optimizer to take: the first section. Empty without an answer.
+[[nodiscard]] std::string answer_html(const ReportData& data);
+
+/// Budgets, targets, profiles as plain tables: what charts draw. Empty without figures.
+[[nodiscard]] std::string convergence_html(const ReportData& data);
+/// Seconds or a count.
+[[nodiscard]] std::string cost_text(double cost, Axis axis);
+/// "12.3 ms [11 ms, 14 ms]", the interval where it has a width; "never".
+[[nodiscard]] std::string expected_text(const TargetFigures& target, Axis axis);
+/// "14 of 15 [0.70, 0.99]".
+[[nodiscard]] std::string success_text(const TargetFigures& target);
+/// What qualities of all problems are called; "quality" where they have no name in common.
+[[nodiscard]] std::string common_quality_name(const ReportData& data);
+/// Which gaps are no targets, and why; empty where all are.
+[[nodiscard]] std::string refused_text(const ProblemConvergence& problem);
 /// A folded section per optimizer. Empty where nothing is told of any.
 [[nodiscard]] std::string optimizers_html(const ReportData& data);
 

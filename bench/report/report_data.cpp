@@ -52,6 +52,7 @@ struct Collection {
       left_out.push_back({entry.text_or("label", ""), entry.text_or("use", ""), entry.text_or("reason", "")});
     add_builds(manifest);
     add_unnamed();
+    scope = scope_of(manifest, records);
   }
 
   std::string study_name, study_text;
@@ -62,6 +63,7 @@ struct Collection {
   std::vector<Value> builds;
   std::vector<std::string> warnings;
   std::vector<TrialRecord> records;
+  Scope scope;
 
   const Value* requested(const std::string& optimizer) const {
     const auto found = requests.find(optimizer);
@@ -215,7 +217,25 @@ void leave_out_untried(std::vector<ProblemReport>& problems, std::vector<std::st
   std::erase_if(problems, [&](const ProblemReport& problem) { return !tried(problem); });
 }
 
+std::vector<Contest> contests_of(const std::vector<ProblemReport>& problems, const Collection& all) {
+  std::vector<Contest> contests;
+  for (const ProblemReport& problem : problems) {
+    Contest& contest =
+        contests.emplace_back(Contest{problem.table.reference, problem.table.start_quality, all.optimizers, {}});
+    for (const TrialRecord& record : all.records)
+      if (record.problem == problem.table.reference.label) contest.trials.push_back(&record);
+  }
+  return contests;
+}
+
 }  // namespace
+
+const ConvergenceFigures* ReportData::figures_of(const std::string& problem, const std::string& optimizer) const {
+  const auto of = std::ranges::find(convergence, problem, &ProblemConvergence::problem);
+  if (of == convergence.end()) return nullptr;
+  const auto found = std::ranges::find(of->optimizers, optimizer, &ConvergenceFigures::optimizer);
+  return found == of->optimizers.end() ? nullptr : &*found;
+}
 
 ReportData collect(std::span<const Store> stores, const Registry& registry) {
   Collection all(merge_stores(stores));
@@ -225,6 +245,13 @@ ReportData collect(std::span<const Store> stores, const Registry& registry) {
   data.run_again = run_again(stores);
   for (const NamedProblem& problem : all.problems) data.problems.push_back(make_problem(problem, all, registry));
   leave_out_untried(data.problems, all.warnings);
+  const std::vector<Contest> contests = contests_of(data.problems, all);
+  for (std::size_t i = 0; i < contests.size(); ++i) {
+    data.convergence.push_back(converge(contests[i], data.problems[i].table, all.scope.seconds, all.scope.evaluations));
+    data.problems[i].least_gap = data.convergence.back().least_gap;
+  }
+  data.profiles = make_profiles(data.convergence);
+  data.answer = make_answer(contests, std::move(all.scope));
   for (const TrialRecord& record : all.records)
     if (is_failure(record.end))
       data.failed.push_back({record.problem, record.optimizer, record.repeat, record.end, record.reason});

@@ -19,6 +19,8 @@
 #include <nodal/store.h>
 #include <nodal/study.h>
 
+#include "answer.h"
+#include "profiles.h"
 #include "ends.h"
 #include "optimizer_detail.h"
 
@@ -71,6 +73,8 @@ struct ProblemReport {
   ReportPart details;              ///< of how it was made; empty where the manifests say nothing
   std::string fingerprint = {};    ///< of the files it was read from (StudyProblem), as the stores have it
 
+  double least_gap = 0.0;  ///< below it gaps are no targets (convergence.h), and not shown
+
   /// What gaps, targets and curves are of: "G", "G with prior".
   [[nodiscard]] std::string raced_name() const { return quality_name + (table.has_prior ? " with prior" : ""); }
 };
@@ -97,7 +101,13 @@ struct ReportData {
   std::vector<std::string> warnings;
   std::vector<LeftOut> left_out;
   std::vector<FailedTrial> failed;
-  std::map<std::string, ReportPart> pictures;  ///< by problem, filled by the caller
+  Answer answer;                                ///< empty without trials
+  std::vector<ProblemConvergence> convergence;  ///< of the problems, in their order
+  std::vector<Profiles> profiles;               ///< over all of them, by axis
+  std::map<std::string, ReportPart> pictures;   ///< by problem, filled by the caller
+
+  /// Null where there are none.
+  [[nodiscard]] const ConvergenceFigures* figures_of(const std::string& problem, const std::string& optimizer) const;
 };
 
 /// Merges the stores: of two stores' records with one key that of the first store counts; problems and optimizers stand

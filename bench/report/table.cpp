@@ -109,20 +109,23 @@ void add_costs(std::vector<Filler>& fillers, bool has_factorizations) {
                      [](const OptimizerRow& r) { return median_of(r.seconds); }});
 }
 
-void add_targets(std::vector<Filler>& fillers, const OptimizerRow* baseline) {
+void add_targets(std::vector<Filler>& fillers, const OptimizerRow* baseline, double least_gap) {
   for (const double gap : kShownGaps)
-    fillers.push_back(
-        compared({{"time to", gap_text(gap), "wall time until the gap was as small as this, median over all trials"},
-                  [gap](const OptimizerRow& r) { return reached_text(r, gap); },
-                  [gap](const OptimizerRow& r) { return r.target(gap).median[kSeconds]; }}));
-  if (baseline)
+    if (gap >= least_gap)
+      fillers.push_back(
+          compared({{"time to", gap_text(gap), "wall time until the gap was as small as this, median over all trials"},
+                    [gap](const OptimizerRow& r) { return reached_text(r, gap); },
+                    [gap](const OptimizerRow& r) { return r.target(gap).median[kSeconds]; }}));
+  const bool default_gap = kDefaultGap >= least_gap;
+  if (baseline && default_gap)
     fillers.push_back({{"times", "faster", "the baseline's median time to gap 0.01 over this optimizer's"},
                        [baseline](const OptimizerRow& r) { return faster_text(r, baseline); },
                        [](const OptimizerRow& r) { return r.target(kDefaultGap).multiple[kSeconds]; }});
-  fillers.push_back({{"reached", gap_text(kDefaultGap),
-                      "success: distinct runs that reached this gap, of all; repeats that did the same count once"},
-                     success_text,
-                     [](const OptimizerRow& r) { return std::optional(r.target(kDefaultGap).success_rate); }});
+  if (default_gap)
+    fillers.push_back({{"reached", gap_text(kDefaultGap),
+                        "success: distinct runs that reached this gap, of all; repeats that did the same count once"},
+                       success_text,
+                       [](const OptimizerRow& r) { return std::optional(r.target(kDefaultGap).success_rate); }});
   fillers.push_back(
       {{"runs", "", "trials stored; det.: a deterministic method, whose repeats from one start measure time"},
        runs_text,
@@ -200,7 +203,7 @@ Table make_text_table(const ProblemReport& problem) {
   if (std::ranges::any_of(all, [](const OptimizerRow& r) { return r.at_bounds && r.at_bounds->upper > 0.0; }))
     add_bounds(fillers);
   add_findings(fillers, problem);
-  add_targets(fillers, baseline == all.end() ? nullptr : &*baseline);
+  add_targets(fillers, baseline == all.end() ? nullptr : &*baseline, problem.least_gap);
   if (std::ranges::any_of(all, [](const OptimizerRow& r) { return r.failed > 0; }))
     fillers.push_back({{"failed", "", "ended failed, timed out or crashed; the reasons are listed below"},
                        [](const OptimizerRow& r) { return std::to_string(r.failed); },

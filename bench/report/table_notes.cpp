@@ -17,6 +17,7 @@ namespace nodal::report {
 
 namespace {
 
+constexpr double kLeastShownGap = 1e-3;
 constexpr double kManyTimes = 3.0;  // its least on the way: less is told by the chart
 
 // What marks in the table stand for.
@@ -118,6 +119,14 @@ std::optional<std::string> floor_note(const ProblemReport& problem) {
   return std::nullopt;
 }
 
+// Which of a table's columns are left out.
+std::optional<std::string> refused_note(const ProblemReport& problem) {
+  if (problem.least_gap <= kLeastShownGap) return std::nullopt;
+  return fmt::format(
+      "Gaps below {} are no targets and not shown: {}* isn't known well enough to tell them from {}* itself.",
+      figure_text(problem.least_gap, 1), problem.raced_name(), problem.raced_name());
+}
+
 // ── What methods claim of themselves ──
 
 std::string cost_claim(const char* words, const Sighting<double>& at, std::size_t claiming) {
@@ -178,7 +187,7 @@ std::vector<std::string> table_notes(const ProblemReport& problem) {
   for (std::optional<std::string>& note :
        std::array{disturbed_note(table.rows), timed_note(table.rows), beside_note(table.rows), worse_unseen_note(table),
                   risen_unseen_note(table), missing_unseen_note(table), validated_note(table), floor_note(problem),
-                  digits_note(problem)})
+                  digits_note(problem), refused_note(problem)})
     if (note) notes.push_back(std::move(*note));
   add_scrutiny(problem.scrutiny, notes);
   return notes;

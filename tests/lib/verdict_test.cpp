@@ -77,6 +77,18 @@ TEST(Verdict, ComparesPairsWhereStartsAreShared) {
   EXPECT_TRUE(second.few);  // gaps 4.5 and 4.635, by eight
 }
 
+// All differences are a half, but for the last bits of some: ties, of which the normal approximation with
+// T = 8³ − 8 has z = 18/√(51 − 10.5).
+TEST(Verdict, RoundingPartsNoTies) {
+  Race race;
+  const std::vector<double> a = {2.5, 2.6, 2.7, 2.8, 2.9, 3.1, 3.2, 3.3};
+  std::vector<double> b = a;
+  for (double& quality : b) quality += 0.5;
+  race.add_all("a", a, true);
+  race.add_all("b", b, true);
+  EXPECT_NEAR(*standing(judge(race.contest(), kWhole), "b").p, 0.004678, 1e-6);
+}
+
 TEST(Verdict, OneWayFromOneStartIsOneObservationAndNoTest) {
   Race race;
   race.add_all("det", {2.0, 2.0, 2.0});

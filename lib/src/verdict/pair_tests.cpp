@@ -2,10 +2,31 @@
 #include "pair_tests.h"
 
 #include <algorithm>
+#include <cmath>
 
+#include <nodal/show/number_text.h>
 #include <nodal/statistics/two_samples.h>
 
 namespace nodal::verdict {
+
+namespace {
+
+constexpr int kDigitsOfDifferences = 9;  // of qualities with four digits: the rest is rounding, which parts ties
+
+// Of values that may be infinite: two of these have no difference.
+double difference(double x, double y) {
+  if (x == y) return 0.0;
+  const double d = x - y;
+  return std::isfinite(d) ? rounded(d, kDigitsOfDifferences) : d;
+}
+
+double wilcoxon_p(std::span<const double> x, std::span<const double> y) {
+  std::vector<double> differences;
+  for (std::size_t i = 0; i < x.size(); ++i) differences.push_back(difference(x[i], y[i]));
+  return statistics::wilcoxon(differences, std::vector<double>(x.size(), 0.0))->p;
+}
+
+}  // namespace
 
 Tested test_pair(const Samples& samples) {
   Tested tested;
@@ -13,8 +34,7 @@ Tested test_pair(const Samples& samples) {
   tested.effect = statistics::vargha_delaney(samples.x, samples.y);
   if (tested.pairs < 2) return tested;
   tested.test = samples.paired ? PairTest::wilcoxon : PairTest::mann_whitney;
-  tested.p =
-      (samples.paired ? statistics::wilcoxon(samples.x, samples.y) : statistics::mann_whitney(samples.x, samples.y))->p;
+  tested.p = samples.paired ? wilcoxon_p(samples.x, samples.y) : statistics::mann_whitney(samples.x, samples.y)->p;
   return tested;
 }
 
@@ -35,7 +55,7 @@ Tested test_pairs_together(std::span<const Samples> by_problem) {
   if (tested.pairs > 0) tested.effect = effects / static_cast<double>(tested.pairs);
   if (!paired || tested.pairs < 2) return tested;
   tested.test = PairTest::wilcoxon;
-  tested.p = statistics::wilcoxon(x, y)->p;
+  tested.p = wilcoxon_p(x, y);
   return tested;
 }
 

@@ -38,7 +38,7 @@ TEST(Compare, PrintsATableAndWritesTheReport) {
   EXPECT_TRUE(contains(output.out, "annealing (baseline)")) << output.out;
   EXPECT_TRUE(contains(output.out, "random-search")) << output.out;
   EXPECT_TRUE(contains(output.err, "report: results/quick/report.html\n")) << output.err;
-  for (const char* file : {"report.html", "summary.csv", "manifest.json"})
+  for (const char* file : {"report.html", "summary.csv", "optimizers.csv", "budgets.csv", "manifest.json"})
     EXPECT_GT(std::filesystem::file_size(folder.path() / "results" / "quick" / file), 100u) << file;
   EXPECT_EQ(count_lines(folder.path() / "results" / "quick" / "trials"), 4u);
 }

@@ -57,7 +57,8 @@ TEST(StandardOutput, IsWrittenAfterTheFiles) {
     (void)run(folder, {"compare", "quick.toml"}, out);
     const std::filesystem::path store = folder.path() / "results" / "quick";
     EXPECT_EQ(count_lines(store / "trials"), 4u);
-    for (const char* file : {"report.html", "summary.csv"}) EXPECT_TRUE(std::filesystem::exists(store / file)) << file;
+    for (const char* file : {"report.html", "summary.csv", "optimizers.csv", "budgets.csv"})
+      EXPECT_TRUE(std::filesystem::exists(store / file)) << file;
     EXPECT_TRUE(Store::open_existing(store).warnings().empty());
     const Output fit =
         run(folder, {"fit", "quick.toml", "--with", "annealing", "--evaluations", "5", "--export", "k.json"}, out);

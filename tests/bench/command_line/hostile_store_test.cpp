@@ -118,7 +118,7 @@ TEST_F(HostileStore, IncludesNoFile) {
 // What stands where its report goes is replaced if it is a link, never followed, and refused if it is a pipe, without
 // waiting for whoever reads from it.
 TEST_F(HostileStore, IsNotWrittenThrough) {
-  for (const std::string file : {"report.html", "summary.csv"}) {
+  for (const std::string file : {"report.html", "summary.csv", "optimizers.csv", "budgets.csv"}) {
     for (const std::vector<std::string>& command :
          {std::vector<std::string>{"report", "results/quick"}, {"compare", "quick.toml"}}) {
       folder_.write("victim", "kept\n");

@@ -186,7 +186,7 @@ TEST_F(OwnProblem, IsInTableCsvAndPage) {
   EXPECT_TRUE(contains(output.out, "beam: B at the start 0.5000; B* = ")) << output.out;
   EXPECT_TRUE(contains(output.out, "   sag")) << output.out;
   EXPECT_TRUE(contains(output.out, "   [m]")) << output.out;
-  EXPECT_TRUE(contains(read_file(folder_.path() / "store" / "summary.csv"),
+  EXPECT_TRUE(contains(read_file(folder_.path() / "store" / "optimizers.csv"),
                        ",sag_lower,sag_median,sag_upper,unseen_lower,unseen_median,unseen_upper\n"));
   EXPECT_EQ(call({"report", "store"}).exit, 0);  // from the store alone
   const std::string page = read_file(folder_.path() / "store" / "report.html");
@@ -226,7 +226,7 @@ TEST_F(OwnProblem, IsToldOfWhatItHoldsOut) {
   EXPECT_TRUE(contains(output.out, "unseen")) << output.out;
   EXPECT_TRUE(contains(output.out, "Worse than their starts in what is held out: random-search (")) << output.out;
   EXPECT_TRUE(contains(read_file(folder_.path() / "results/beams/report.html"), "id=\"unseen-0\""));
-  EXPECT_TRUE(contains(read_file(folder_.path() / "results/beams/summary.csv"), "unseen_median"));
+  EXPECT_TRUE(contains(read_file(folder_.path() / "results/beams/optimizers.csv"), "unseen_median"));
 }
 
 }  // namespace

@@ -199,7 +199,7 @@ TEST_F(Collect, TellsThePriorsShareApart) {
   EXPECT_NE(chart.find("\"title\":\"" + problem.raced_name() + "\""), std::string::npos);
   EXPECT_EQ(chart.find("errorPerQuality"), std::string::npos);
   EXPECT_EQ(chart.find("relative error"), std::string::npos);
-  const std::string csv = summary_csv(data);
+  const std::string csv = optimizers_csv(data);
   EXPECT_NE(csv.find(",data_quality_lower,data_quality_median,data_quality_upper"), std::string::npos);
   EXPECT_NE(csv.find(",1.5,1.5,1.5"), std::string::npos);
 }

@@ -273,5 +273,17 @@ TEST(ConsoleTable, CallsTheQualityAsTheKindDoes) {
   EXPECT_NE(console_table(data).find("Gap = (quality − quality*)/"), std::string::npos);
 }
 
+// A best known quality that was given with one digit.
+TEST(ConsoleTable, LeavesOutTargetsThatAreRefused) {
+  ReportData data = fixture::make_data();
+  data.problems[0].least_gap = 0.002;
+  const std::string text = console_table(data, 200);
+  EXPECT_EQ(text.find(" 0.001"), std::string::npos) << text;
+  EXPECT_NE(text.find("Gaps below 0.002 are no targets and not shown: G* isn't known well enough"), std::string::npos);
+  EXPECT_NE(text.find("reached"), std::string::npos);
+  data.problems[0].least_gap = 0.02;
+  EXPECT_EQ(console_table(data, 200).find("reached"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace nodal::report

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+/// How optimizers do over problems × targets: profiles of their expected running times, and distributions of run
+/// lengths (statistics/many_problems.h, statistics/run_length.h). Data to draw, and tables of them.
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <nodal/convergence.h>
+#include <nodal/statistics/many_problems.h>
+
+namespace nodal::report {
+
+/// Of one axis.
+struct Profiles {
+  Axis axis = Axis::seconds;
+  std::vector<std::string> optimizers;
+  std::size_t cases = 0;                 ///< problems × targets
+  std::vector<double> factors, costs;    ///< where the two profiles are told: factors from 1 on, costs 1, 2, 5, 10, …
+  statistics::Matrix performance, data;  ///< [optimizers][factors], [optimizers][costs]
+  std::string warning;                   ///< in words: whose order in the performance profile hangs on whom; or empty
+  /// Share of trials × targets reached within a cost, over all problems: [optimizers], at most kCurvePoints steps each.
+  std::vector<std::vector<statistics::Step>> reached;
+};
+
+/// Of every axis on which some target was reached; work where it differs from evaluations. A pair of problem and
+/// optimizer without trials never gets there.
+[[nodiscard]] std::vector<Profiles> make_profiles(std::span<const ProblemConvergence> problems);
+
+}  // namespace nodal::report

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <report/profiles.h>
+
+#include <gtest/gtest.h>
+
+#include <report/page_parts.h>
+#include <report/report.h>
+
+#include "made_store.h"
+
+namespace nodal::report {
+namespace {
+
+constexpr std::size_t kEvaluations = 1;
+
+// One problem whose only targets are 0.1, 0.01, …, with expected evaluations by hand; empty is never.
+ProblemConvergence problem_of(const std::vector<std::vector<std::optional<double>>>& expected) {
+  ProblemConvergence problem;
+  problem.problem = "p";
+  for (std::size_t g = expected.front().size(); g < kTargetGaps.size(); ++g) problem.refused.push_back(kTargetGaps[g]);
+  const char name[] = {'a', 0};
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    ConvergenceFigures& figures = problem.optimizers.emplace_back();
+    figures.optimizer = std::string(1, static_cast<char>(name[0] + i));
+    for (std::size_t g = 0; g < expected[i].size(); ++g) {
+      TargetFigures& target = figures.targets.emplace_back();
+      target.gap = kTargetGaps[g];
+      target.expected[kEvaluations] = expected[i][g];
+      figures.lengths[kEvaluations].push_back({expected[i][g], 100.0});
+    }
+  }
+  return problem;
+}
+
+TEST(Profiles, CountProblemsAndTargets) {
+  // a is best at the first, within twice at the second; b the other way round, and never at the third.
+  const std::vector<ProblemConvergence> problems = {problem_of({{10.0, 40.0, 70.0}, {30.0, 20.0, {}}})};
+  const std::vector<Profiles> all = make_profiles(problems);
+  ASSERT_EQ(all.size(), 1u);  // no seconds, no work
+  const Profiles& profiles = all[0];
+  EXPECT_EQ(profiles.axis, Axis::evaluations);
+  EXPECT_EQ(profiles.cases, 3u);
+  EXPECT_EQ(profiles.factors[0], 1.0);
+  EXPECT_EQ(profiles.factors[2], 2.0);
+  EXPECT_DOUBLE_EQ(profiles.performance[0][0], 2.0 / 3.0);
+  EXPECT_DOUBLE_EQ(profiles.performance[1][0], 1.0 / 3.0);
+  EXPECT_DOUBLE_EQ(profiles.performance[0][2], 1.0);
+  EXPECT_DOUBLE_EQ(profiles.performance[1].back(), 2.0 / 3.0);
+  EXPECT_EQ(profiles.costs, (std::vector<double>{10, 20, 50, 100}));
+  EXPECT_EQ(profiles.data[0], (std::vector<double>{1.0 / 3.0, 1.0 / 3.0, 2.0 / 3.0, 1.0}));
+  EXPECT_TRUE(profiles.warning.empty());
+  ASSERT_EQ(profiles.reached[1].size(), 2u);
+  EXPECT_DOUBLE_EQ(profiles.reached[1].back().share, 2.0 / 3.0);
+}
+
+// With all three a is within 1.5 of the best twice, b once; without c, whose times are tiny on one, it is the other
+// way.
+TEST(Profiles, WarnWhereAThirdDecides) {
+  const std::vector<ProblemConvergence> problems = {
+      problem_of({{10.0, 90.0, 90.0}, {30.0, 20.0, 20.0}, {10.0, 1.0, 1.0}})};
+  const std::string warning = make_profiles(problems)[0].warning;
+  EXPECT_TRUE(warning.starts_with("Within a factor of 1 a stands above b here, but below it where c is left out"))
+      << warning;
+}
+
+TEST(Profiles, OfNothingThereAreNone) {
+  EXPECT_TRUE(make_profiles({}).empty());
+  const std::vector<ProblemConvergence> never = {problem_of({{{}, {}}})};
+  EXPECT_TRUE(make_profiles(never).empty());
+}
+
+TEST(Profiles, StandOnThePageAsTables) {
+  MadeStore made;
+  for (const char* problem : {"p", "q"})
+    for (int r = 0; r < 3; ++r) {
+      made.add(problem, "a", r, {{5, 1.0}});
+      made.add(problem, "b", r, {{50, 1.0}});
+    }
+  std::vector<Store> stores;
+  stores.push_back(made.write());
+  const ReportData data = collect(stores, Registry());
+  const std::string page = report_html(data);
+  for (const char* part :
+       {"<h2>Budgets and targets in figures</h2>",
+        "Data profile: share of 16 targets of all problems whose expected "
+        "time is at most …",
+        "Performance profile: share of 16 targets of all problems within a factor of the least "
+        "evaluations",
+        "Run lengths: share of trials × targets reached within evaluations of …", "Area over the convergence curve",
+        "Expected time to a gap", "Wilson&#39;s 95 % interval", "<td>500 µs</td>", "<td>1 of 1 [0.21, 1.00]</td>"})
+    EXPECT_NE(page.find(part), std::string::npos) << part;
+}
+
+TEST(Convergence, RefusedTargetsAreNamedWithTheReason) {
+  ProblemConvergence problem = problem_of({{10.0, 20.0}});
+  problem.least_gap = 3e-3;
+  EXPECT_EQ(refused_text(problem),
+            "No targets: gaps 0.001, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8. The best known quality isn't known well enough: it "
+            "may be off by a gap of 0.003.");
+  problem.refused.clear();
+  EXPECT_EQ(refused_text(problem), "");
+}
+
+}  // namespace
+}  // namespace nodal::report
