@@ -101,44 +101,6 @@ class Run {
     record_.reason += (record_.reason.empty() ? "" : "; ") + look.refuted;
   }
 
-  Limits limits() const {
-    Limits limits;
-    if (study_.budget.seconds) limits.seconds = *study_.budget.seconds;
-    if (study_.budget.evaluations) limits.evaluations = *study_.budget.evaluations;
-    return limits;
-  }
-
-  // A start that is a perfect fit, as far as races can tell, is at its target.
-  void set_target(Meter& meter) const {
-    if (!meter.start().ok()) return;
-    const double quality = problem_.quality(meter.start().cost);
-    double target = -std::numeric_limits<double>::infinity();
-    if (std::isfinite(quality)) target = target_quality(study_, trial_, quality);
-    const bool perfect = std::isfinite(target) && std::abs(meter.start().cost) <= kPerfectCost;
-    meter.set_target(perfect ? std::max(target, quality) : target);
-  }
-
-  // An exception must not lose what the meter has seen: it ends the search, not the record.
-  Outcome search(Meter& meter, const std::vector<double>& start) {
-    RandomStream random(record_.seed);
-    try {
-      set_target(meter);
-      const std::unique_ptr<Optimizer> optimizer = make_optimizer(study_.optimizers.at(trial_.optimizer), registry_);
-      return optimizer->minimize(meter, start, random);
-    } catch (const std::exception& error) {
-      return failure(error.what());
-    } catch (...) {
-      return failure("an exception that is no std::exception");
-    }
-  }
-
-  static Outcome failure(const std::string& reason) {
-    Outcome outcome;
-    outcome.failed = true;
-    outcome.reason = reason;
-    return outcome;
-  }
-
   void note_end(const Meter& meter, const Outcome& outcome) {
     switch (meter.stop()) {
       case Stop::none:
