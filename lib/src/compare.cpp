@@ -19,8 +19,9 @@
 #include "lane_trials.h"
 #include "rerun.h"
 #include "running_trials.h"
-#include "trial_claims.h"
 #include "timing_lane.h"
+#include "trial_claims.h"
+#include "trial_message.h"
 
 namespace nodal {
 
@@ -161,13 +162,18 @@ class Comparison {
 
   bool alone() const { return options_.isolate && conditions_.jobs == 1; }
 
-  void keep(TrialRecord record, const Missing& entry, Clock::time_point began, bool stopped) {
+  void keep(EndedTrial ended) {
     look_for_others();
-    record.attempt = entry.attempt;
-    describe_conditions(record, began, stopped);
+    TrialRecord& record = ended.record;
+    record.attempt = missing_[ended.ticket].attempt;
+    const std::optional<Conditions> sent = record.conditions;
+    describe_conditions(record);
+    record.conditions->beside_others = others_seen_ && *others_seen_ >= ended.began;
+    record.conditions->stopped = ended.stopped;
     if (alone()) note_lane(record);
     if (timing_) compare_with_former(record);
-    store_.append(record);
+    const Conditions& now = *record.conditions;
+    store(record, ended.line, sent && !now.beside_others && !now.stopped && now.pace == sent->pace);
     if (claims_) claims_->done(record.key, record.attempt);
     ++result_.ran;
     ++done_;
@@ -176,15 +182,26 @@ class Comparison {
   }
 
   // What its process says of itself is in it already.
-  void describe_conditions(TrialRecord& record, Clock::time_point began, bool stopped) {
+  void describe_conditions(TrialRecord& record) const {
     const Conditions own = record.conditions.value_or(Conditions());
     Conditions& conditions = record.conditions.emplace(conditions_);
-    conditions.beside_others = others_seen_ && *others_seen_ >= began;
-    conditions.stopped = stopped;
     conditions.core = own.core;
     conditions.preempted = own.preempted;
     conditions.waited = own.waited;
     conditions.cold = own.cold;
+    if (alone()) conditions.pace = lane_.pace();
+  }
+
+  // The line as it was sent, where nothing has changed since and nobody asks for more.
+  void store(TrialRecord& record, const std::string& line, bool as_sent) {
+    if (as_sent && store_.in_memory() == InMemory::short_records) return store_.append(record, line);
+    if (!line.empty()) {
+      TrialRecord whole = parse_record(line, "trial");
+      whole.attempt = record.attempt;
+      whole.conditions = record.conditions;
+      record = std::move(whole);
+    }
+    store_.append(record);
   }
 
   void compare_with_former(const TrialRecord& record) {
@@ -196,7 +213,6 @@ class Comparison {
 
   // A trial that is followed by a look has the worse of two.
   void note_lane(TrialRecord& record) {
-    record.conditions->pace = lane_.pace();
     lane_.ran(record);
     if (!lane_.due()) return;
     look_at_lane();
@@ -215,26 +231,29 @@ class Comparison {
                       lane_.pace()));
   }
 
-  // The record as it is stored. What JSON can't hold (a relative error that is NaN, say) and an exception that is no
-  // std::exception are rows with their reason, too.
-  std::string run_to_line(const Trial& trial) const {
+  // What JSON can't hold (a relative error that is NaN, say) and an exception that is no std::exception are rows with
+  // their reason, too.
+  std::string run_to_message(const Trial& trial, std::size_t ticket) const {
     std::string reason;
     try {
-      return to_json_line(run_clocked_trial(study_, trial, registry_, alone() ? lane_.core() : std::nullopt));
+      TrialRecord record = run_clocked_trial(study_, trial, registry_, alone() ? lane_.core() : std::nullopt);
+      record.attempt = missing_[ticket].attempt;
+      describe_conditions(record);
+      return trial_message(record);
     } catch (const std::exception& error) {
       reason = error.what();
     } catch (...) {
       reason = "an exception that is no std::exception";
     }
-    return to_json_line(lost_trial(study_, trial, End::failed, "no record could be made: " + reason));
+    return trial_message(lost_trial(study_, trial, End::failed, "no record could be made: " + reason));
   }
 
   void run_here() {
-    for (const Missing& entry : missing_) {
-      if (interrupted()) return;
-      if (claim(entry) != TrialClaims::Answer::granted) continue;
+    for (std::size_t i = 0; i < missing_.size() && !interrupted(); ++i) {
+      if (claim(missing_[i]) != TrialClaims::Answer::granted) continue;
       const Clock::time_point began = Clock::now();
-      keep(parse_record(run_to_line(entry.trial), "trial"), entry, began, false);
+      auto [record, line] = read_trial_message(run_to_message(missing_[i].trial, i));
+      keep({i, std::move(record), std::move(line), false, began});
     }
   }
 
@@ -242,8 +261,9 @@ class Comparison {
     std::deque<std::size_t> next;  // indices of `missing_`
     for (std::size_t i = 0; i < missing_.size(); ++i) next.push_back(i);
     RunningTrials running(
-        study_, [this](const Trial& trial) { return run_to_line(trial); }, options_.grace_seconds);
-    if (alone() && !next.empty()) (void)lane_.pace();  // the first look, before the first trial
+        study_, [this](const Trial& trial, std::size_t ticket) { return run_to_message(trial, ticket); },
+        options_.grace_seconds);
+    if (alone() && !next.empty()) lane_.look();
     while (!interrupted() && (!next.empty() || running.size() > 0)) {
       start_trials(next, running);
       for (EndedTrial& ended : running.wait()) {
@@ -252,7 +272,7 @@ class Comparison {
         if (run_again(ended))
           next.push_front(ended.ticket);
         else
-          keep(std::move(ended.record), missing_[ended.ticket], ended.began, ended.stopped);
+          keep(std::move(ended));
       }
       look_for_others();
     }

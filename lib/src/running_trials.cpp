@@ -10,6 +10,8 @@
 
 #include <fmt/format.h>
 
+#include "trial_message.h"
+
 namespace nodal {
 
 namespace {
@@ -36,9 +38,9 @@ double seconds_allowed(const Study& study, double grace_seconds) {
 
 void RunningTrials::start(const Trial& trial, std::size_t ticket) {
   if (running_.empty()) last_look_ = Clock::now();
-  auto child = std::make_unique<ChildProcess>([this, &trial] {
+  auto child = std::make_unique<ChildProcess>([this, &trial, ticket] {
     for (const Running& other : running_) ::close(other.child->descriptor());  // not this child's business
-    return work_(trial);
+    return work_(trial, ticket);
   });
   running_.push_back(
       {trial, ticket, std::move(child), Clock::now(), seen_ + seconds_allowed(study_, grace_seconds_), 0.0});
@@ -77,15 +79,15 @@ EndedTrial RunningTrials::collect(const Running& entry) const {
   const ChildProcess& child = *entry.child;
   const auto crashed = [&](const std::string& how) {
     if (child.died_of_signal()) std::this_thread::sleep_for(kBeforeACrashIsBelieved);
-    return EndedTrial{entry.ticket, lost_trial(study_, entry.trial, End::crashed, how), false, entry.began};
+    return EndedTrial{entry.ticket, lost_trial(study_, entry.trial, End::crashed, how), {}, false, entry.began};
   };
   if (!child.whole() && !child.death().empty()) return crashed("the trial's process died: " + child.death());
   if (child.output().empty()) return crashed("the trial's process ended without a record");
   try {
-    TrialRecord record = parse_record(child.output(), "trial");
+    auto [record, line] = read_trial_message(child.output());
     const double idle = record.seconds.total - record.seconds.cpu;
     const bool missed = entry.missed > 0.0 && idle >= kIdleShare * entry.missed;
-    return {entry.ticket, std::move(record), missed || child.was_stopped(), entry.began};
+    return {entry.ticket, std::move(record), std::move(line), missed || child.was_stopped(), entry.began};
   } catch (const InputError& error) {
     return crashed(fmt::format("the trial's process sent no record: {}", error.what()));
   }
@@ -96,7 +98,7 @@ EndedTrial RunningTrials::hung(const Running& entry) const {
   const std::string why = entry.child->is_stopped()
                               ? fmt::format("killed after {:g} s: its process was stopped by a signal", allowed)
                               : fmt::format("killed after {:g} s: it did not stop by itself", allowed);
-  return {entry.ticket, lost_trial(study_, entry.trial, End::timeout, why), false, entry.began};
+  return {entry.ticket, lost_trial(study_, entry.trial, End::timeout, why), {}, false, entry.began};
 }
 
 }  // namespace nodal

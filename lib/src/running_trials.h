@@ -19,8 +19,9 @@ namespace nodal {
 
 struct EndedTrial {
   std::size_t ticket = 0;  ///< what `start` was given
-  TrialRecord record;
-  bool stopped = false;  ///< it ended by itself, but its process was stopped and continued meanwhile
+  TrialRecord record;      ///< without what is long, where there is a line
+  std::string line;        ///< of the whole record; empty of a trial that sent none
+  bool stopped = false;    ///< it ended by itself, but its process was stopped and continued meanwhile
   std::chrono::steady_clock::time_point began;
 };
 
@@ -31,7 +32,7 @@ struct EndedTrial {
 class RunningTrials {
  public:
   using Clock = std::chrono::steady_clock;
-  using Work = std::function<std::string(const Trial&)>;  ///< runs in the child; the record's line
+  using Work = std::function<std::string(const Trial&, std::size_t ticket)>;  ///< runs in the child; trial_message.h
 
   RunningTrials(const Study& study, Work work, double grace_seconds)
       : study_(study), work_(std::move(work)), grace_seconds_(grace_seconds), last_look_(Clock::now()) {}

@@ -20,6 +20,7 @@
 #include "require_manifest.h"
 #include "store_lock.h"
 #include "trial_files.h"
+#include "trial_message.h"
 
 namespace nodal {
 
@@ -62,9 +63,7 @@ struct Store::State {
   }
 
   void shorten(TrialRecord& record) const {
-    if (in_memory == InMemory::whole) return;
-    record.trace = {};
-    record.unseen.reset();
+    if (in_memory == InMemory::short_records) nodal::shorten(record);
   }
 
   // Of two with one key the later attempt counts; of two with one attempt, which two comparisons at once may leave, the
@@ -164,9 +163,13 @@ void Store::begin(const Study& study) {
   state.warn_of_origins(here, "present one");
 }
 
-void Store::append(const TrialRecord& record) {
+InMemory Store::in_memory() const noexcept { return state_->in_memory; }
+
+void Store::append(const TrialRecord& record) { append(record, to_json_line(record)); }
+
+void Store::append(const TrialRecord& record, const std::string& line) {
   state_->require_in_place();
-  state_->file.append(to_json_line(record));
+  state_->file.append(line);
   TrialRecord kept = record;
   state_->shorten(kept);
   state_->add(std::move(kept));

@@ -19,11 +19,6 @@ constexpr int kLooksBeforeItIsBelieved = 3;
 
 TimingLane::TimingLane(bool pinned) : pinned_(pinned), core_(pinned ? present_core() : std::nullopt) {}
 
-double TimingLane::pace() {
-  if (last_ == 0.0) look();
-  return last_ / least_;
-}
-
 void TimingLane::ran(const TrialRecord& record) {
   seconds_ += record.seconds.total + record.seconds.warm_up.value_or(0.0);
   if (pinned_ && shared_its_core(record)) core_ = present_core();

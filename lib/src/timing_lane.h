@@ -15,9 +15,8 @@ class TimingLane {
   explicit TimingLane(bool pinned);
 
   [[nodiscard]] std::optional<int> core() const noexcept { return core_; }
-  /// Time of the calibration at the last look, over its least so far; takes the first look. Above the bound it has
-  /// looked three times: what is over in a moment says nothing of seconds of trials.
-  [[nodiscard]] double pace();
+  /// Time of the calibration at the last look, over its least so far; 1 before the first.
+  [[nodiscard]] double pace() const noexcept { return least_ > 0.0 ? last_ / least_ : 1.0; }
   /// Tells it of a trial that ran here. One that had to share the core takes the lane to another, if the system knows
   /// one.
   void ran(const TrialRecord& record);
@@ -25,6 +24,8 @@ class TimingLane {
   [[nodiscard]] bool due() const noexcept;
   /// A tenth of a second of trials since the last look? Another right after it would tell nothing.
   [[nodiscard]] bool used() const noexcept;
+  /// What is slow for a moment only says nothing of seconds of trials: before it is believed, the lane looks three
+  /// times.
   void look();
 
  private:

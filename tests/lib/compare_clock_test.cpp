@@ -25,6 +25,13 @@ bool allowed(std::int64_t core) {
   return ::sched_getaffinity(0, sizeof mask, &mask) == 0 && CPU_ISSET(static_cast<std::size_t>(core), &mask);
 }
 
+// But what the machine does meanwhile.
+std::function<void(const std::string&)> keep_in(std::vector<std::string>& warnings) {
+  return [&warnings](const std::string& warning) {
+    if (!warning.starts_with("the core has become")) warnings.push_back(warning);
+  };
+}
+
 // Optimizer, repeat and attempt of the stored trials, and on how many jobs they ran.
 std::multiset<std::string> lane_of(const TemporaryDirectory& directory) {
   std::multiset<std::string> found;
@@ -105,7 +112,7 @@ TEST(TimeLane, RunsSomeTrialsOfEveryOptimizerOnceMoreAlone) {
   std::vector<std::size_t> timing;
   std::vector<std::pair<std::size_t, std::size_t>> finished;
   CompareObserver observer;
-  observer.warned = [&](const std::string& warning) { warnings.push_back(warning); };
+  observer.warned = keep_in(warnings);
   observer.timing = [&](std::size_t trials) { timing.push_back(trials); };
   observer.finished = [&](const TrialRecord&, std::size_t done, std::size_t total) {
     finished.emplace_back(done, total);
@@ -179,11 +186,34 @@ TEST(TimeLane, SaysWhichTrialsDoSomethingElseAlone) {
   Store store(directory.path());
   std::vector<std::string> warnings;
   CompareObserver observer;
-  observer.warned = [&](const std::string& warning) { warnings.push_back(warning); };
+  observer.warned = keep_in(warnings);
   (void)compare(study, registry, store, {.jobs = 2, .time_lane = 1}, observer);
   ASSERT_EQ(warnings.size(), 1u);
   EXPECT_TRUE(warnings[0].starts_with("fickle, repeat 0, did something else when it ran alone: it ended 'finished'"))
       << warnings[0];
+}
+
+// Then the parent stores what trials have sent without reading it.
+TEST(Compare, StoresTheSameThroughAStoreOfShortRecords) {
+  const Study study = study_with(kTwo + use("throwing") + use("aborting"));
+  const TemporaryDirectory whole, brief;
+  (void)run(study, whole);
+  Store store(brief.path(), InMemory::short_records);
+  std::vector<std::string> warnings;
+  CompareObserver observer;
+  observer.warned = keep_in(warnings);
+  EXPECT_EQ(compare(study, registry_of_processes(), store, {}, observer).failed, 8u);
+  EXPECT_EQ(compare(study, registry_of_processes(), store, {.rerun = {"halving"}}, observer).ran, 3u);
+  EXPECT_TRUE(warnings.empty()) << warnings.front();
+  EXPECT_EQ(outcomes_of_any_attempt(brief), outcomes(whole));
+  const Store read(brief.path());
+  for (const TrialRecord& record : read.records()) {
+    ASSERT_TRUE(record.conditions);
+    EXPECT_EQ(record.conditions->jobs, 1);
+    EXPECT_FALSE(record.conditions->build.empty());
+    EXPECT_EQ(record.conditions->pace.has_value(), true);
+    EXPECT_EQ(record.attempt, record.optimizer == "halving" ? 2 : 1);
+  }
 }
 
 TEST(Store, KeepsShortRecordsWhereNobodyReadsTheRest) {

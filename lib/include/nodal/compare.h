@@ -43,6 +43,7 @@ struct CompareOptions {
 struct CompareObserver {
   /// Trials asked for, and how many of them the store already has.
   std::function<void(std::size_t total, std::size_t stored)> began;
+  /// A store of short records gives a short one.
   std::function<void(const TrialRecord& record, std::size_t done, std::size_t total)> finished;
   /// All trials have run, and so many do once more, alone: `total` grows by them.
   std::function<void(std::size_t trials)> timing;

@@ -46,6 +46,7 @@ class Store {
   /// Dropped lines, another study, trials of other builds or processors (than this one after `begin`, than the last
   /// run's in a store opened for reading), for people.
   [[nodiscard]] const std::vector<std::string>& warnings() const noexcept;
+  [[nodiscard]] InMemory in_memory() const noexcept;
   /// Every valid record, oldest first; of several with one key that of the latest attempt. As much of each as is kept.
   [[nodiscard]] const std::vector<TrialRecord>& records() const noexcept;
   [[nodiscard]] const TrialRecord* find(std::string_view key) const;
@@ -56,6 +57,8 @@ class Store {
   void begin(const Study& study);
   /// Stores one record: written and flushed to the system when this returns.
   void append(const TrialRecord& record);
+  /// The same of a record that is written already; only `line` is what is stored.
+  void append(const TrialRecord& record, const std::string& line);
   /// After `begin`: the process of another comparison that writes here now.
   [[nodiscard]] std::optional<int> other_writer() const noexcept;
 
