@@ -22,6 +22,9 @@ constexpr std::array<std::string_view, 5> kColumns = {"evaluations", "raw_y", "t
 
 std::string quoted(const std::string& text) { return to_json(Value(text)); }
 
+// "1.0": IOHinspector takes the type of a number from how it is written, and it must be one for all files.
+std::string real(double number) { return to_json(Value(number)); }
+
 std::string data_of(const Function& function) {
   std::string text;
   for (const Run& run : function.runs) {
@@ -38,7 +41,8 @@ std::string run_text(const Run& run) {
   Value::List x(run.x.begin(), run.x.end());
   return fmt::format(
       R"({{"instance": {}, "evals": {}, "best": {{"evals": {}, "y": {}, "x": {}}}, "total_seconds": {}}})",
-      run.instance, run.evaluations, best.evaluation, best.precision, to_json(Value(std::move(x))), run.seconds);
+      run.instance, run.evaluations, best.evaluation, real(best.precision), to_json(Value(std::move(x))),
+      real(run.seconds));
 }
 
 std::string index_of(const Algorithm& algorithm, const Function& function, const std::string& data) {
@@ -51,7 +55,7 @@ std::string index_of(const Algorithm& algorithm, const Function& function, const
       "\t\"attributes\": [\"{}\"],\n\t\"scenarios\": [\n"
       "\t\t{{\"dimension\": {},\n\t\t\"path\": \"{}\",\n\t\t\"runs\": [{}\n\t\t]}}\n\t]\n}}\n",
       kVersion, function.id, quoted(function.name), quoted(algorithm.name), quoted(algorithm.method),
-      function.best_quality, fmt::join(kColumns, "\", \""), function.dimension, data, runs);
+      real(function.best_quality), fmt::join(kColumns, "\", \""), function.dimension, data, runs);
 }
 
 }  // namespace

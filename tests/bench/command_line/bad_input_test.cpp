@@ -208,8 +208,8 @@ TEST_P(BadCalls, AreRefusedWithTheReason) {
 const BadCall kBadCalls[] = {
     {"NoCommand",
      {},
-     "no command given; valid: 'compare', 'evaluate', 'fit', 'report', 'merge', 'verify', 'explain', 'trials', "
-     "'check', 'list'; see nodal "
+     "no command given; valid: 'compare', 'evaluate', 'fit', 'report', 'merge', 'verify', 'export', 'explain', "
+     "'trials', 'check', 'list', 'init' and 1 more; see nodal "
      "--help"},
     {"UnknownCommand", {"compair", "quick.toml"}, "'compair' is no command; did you mean 'compare'?"},
     {"UnknownOption",

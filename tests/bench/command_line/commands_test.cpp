@@ -342,7 +342,7 @@ TEST(Help, SaysWhatOnlyTakes) {
 TEST(Help, IsThereForEveryCommand) {
   const Folder folder;
   EXPECT_EQ(run(folder, {"--help"}).exit, 0);
-  for (const char* command : {"compare", "evaluate", "fit", "report", "explain", "list"}) {
+  for (const char* command : {"compare", "evaluate", "fit", "report", "export", "explain", "list", "init", "schema"}) {
     const Output output = run(folder, {command, "--help"});
     EXPECT_EQ(output.exit, 0) << command;
     EXPECT_TRUE(contains(output.out, "Usage: nodal " + std::string(command))) << output.out;

@@ -254,7 +254,7 @@ INSTANTIATE_TEST_SUITE_P(
         Damage{"Columns", "ioh", "slow/IOHprofiler_f1_plate.json", "raw_y", "y", "begin with evaluations and raw_y"},
         Damage{"Best", "ioh", "slow/IOHprofiler_f1_plate.json", "\"evals\": 901", "\"evals\": 900",
                "'best' is no line"},
-        Damage{"Text", "ioh", "slow/IOHprofiler_f1_plate.json", "\"best_quality\": \"1\"",
+        Damage{"Text", "ioh", "slow/IOHprofiler_f1_plate.json", "\"best_quality\": \"1.0\"",
                "\"best_quality\": \"exit()\"", "is no number"},
         Damage{"Header", "ioh", "slow/data_f1_plate/IOHprofiler_f1_DIM3.dat", "raw_y ", "", "is no line of a run"}),
     [](const auto& damage) { return std::string(damage.param.format) + damage.param.name; });

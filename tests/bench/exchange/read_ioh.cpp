@@ -54,7 +54,10 @@ class JsonReader {
     const Value* attributes = data.find("experiment_attributes");
     if (!attributes) return;
     for (const Value& one : attributes->list())
-      for (const auto& [name, value] : one.table()) (void)numbers_of(value.text(), file_.string(), read_);
+      for (const auto& [name, value] : one.table()) {
+        (void)numbers_of(value.text(), file_.string(), read_);
+        if (value.text().find_first_of(".e") == std::string::npos) fault("a whole number would be another type");
+      }
   }
 
   void read_scenario(const Value& data, const Value& scenario) {
