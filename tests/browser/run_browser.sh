@@ -5,7 +5,7 @@
 #   run_browser.sh write DIRECTORY COMMAND…                      the command writes DIRECTORY/report.html, which is new
 #   run_browser.sh MODE DIRECTORY BROWSER EXPECTED               EXPECTED is what probe.js must find in it
 # MODE   desktop (1280 pixels), dark (the same), phone (390 pixels), print (as wide as A4; a PDF as well), still (without
-#        scripts). The last two are looked at without the probe: EXPECTED is not looked for.
+#        scripts). The last two are looked at by short probes of their own: EXPECTED is not looked for.
 set -eu
 
 mode=$1 out=$2
@@ -41,12 +41,11 @@ run() {  # name, window size, page, what to do
   fi
 }
 
-# A headless window can't be narrower than 500 pixels, so the phone is a frame in a page. Without scripts: a frame that
-# forbids them, in a page whose script waits until the frame has been read.
-frame() {  # file, page, width, height, attributes
+# A headless window can't be narrower than 500 pixels, so the phone is a frame in a page.
+frame() {  # file, page, width, height
   printf '%s\n' "<!DOCTYPE html><title>frame</title><style>body{margin:0}iframe{border:0;display:block}</style>
-<iframe src=\"$2\" width=\"$3\" height=\"$4\" $5></iframe><script>
-addEventListener('load', () => setInterval(() => { try { document.title = frames[0].document.title; } catch { } }, 200));
+<iframe src=\"$2\" width=\"$3\" height=\"$4\"></iframe><script>
+addEventListener('load', () => setInterval(() => { document.title = frames[0].document.title; }, 200));
 </script>" > "$out/$1"
 }
 
@@ -71,8 +70,8 @@ case "$mode" in
     ;;
   phone)
     probe report.html phone.probed.html "$here/probe.js"
-    frame phone_probed.html phone.probed.html 390 800 ""
-    frame phone.html report.html 390 6400 ""
+    frame phone_probed.html phone.probed.html 390 800
+    frame phone.html report.html 390 6400
     run phone_probe 800,900 phone_probed.html --dump-dom
     expect phone_probe "$expected"
     run phone 390,6400 phone.html "--screenshot=$out/phone.png"
@@ -98,7 +97,15 @@ case "$mode" in
     [ -s "$out/print.pdf" ] || { echo "no PDF" >&2; exit 1; }
     ;;
   still)
-    frame still.html report.html 1280 5200 sandbox
+    sed '/^<script>$/,$d' "$out/report.html" > "$out/still.html"
+    printf '%s\n' 'addEventListener("load", () => {
+      const seen = (selector) => [...document.querySelectorAll(selector)].filter((e) => e.getClientRects().length > 0);
+      document.title = `STILL without ${document.querySelectorAll("figure.race").length - seen(".still svg.lines").length}` +
+        ` pictures, controls ${seen("input, .keys, .save, .chart").length}`;
+    });' > "$out/still_probe.js"
+    probe still.html still.probed.html "$out/still_probe.js"
+    run still_probe 1280,900 still.probed.html --dump-dom
+    expect still_probe "STILL without 0 pictures, controls 0"
     run still 1280,5200 still.html "--screenshot=$out/still.png"
     ;;
   *)

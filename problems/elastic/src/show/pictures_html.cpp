@@ -63,8 +63,9 @@ std::string pictures_html(std::span<const Picture> all) {
   if (all.empty()) return {};
   std::vector<const Picture*> pictures;
   for (const Picture& picture : all) pictures.push_back(&picture);
-  const StiffnessColours colours(pictures);
+  // The scale is of these alone: an optimizer that went far astray would leave them without a difference of colour.
   pictures.resize(std::min(pictures.size(), kMostRows));
+  const StiffnessColours colours(pictures);
   const Frame frame = make_frame(pictures);
   std::string text = "<div class=\"plate-figure\">\n", note;
   for (const Picture* picture : pictures) text += row_html(*picture, frame, colours);

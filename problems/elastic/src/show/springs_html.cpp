@@ -19,36 +19,18 @@ namespace {
 
 constexpr double kPanel = 170.0;  // drawing units: many stand beside each other
 
-// Softer than the first system, alike, stiffer: blue over grey to red, told apart without red or green.
-class Ratios {
- public:
-  static constexpr std::array<const char*, 7> kColours = {"#2166ac", "#4393c3", "#92c5de", "#b0b0b0",
-                                                          "#f4a582", "#d6604d", "#b2182b"};
+// Softer than in the first system, alike, stiffer: blue over grey to red, told apart without red or green.
+constexpr std::array<const char*, 7> kColours = {"#2166ac", "#4393c3", "#92c5de", "#b0b0b0",
+                                                 "#f4a582", "#d6604d", "#b2182b"};
+constexpr std::array<double, 3> kLimits = {1.02, 1.25, 2.0};  // of the ratio: alike below the first
 
-  explicit Ratios(std::span<const Picture> pictures) {
-    for (const Picture& picture : pictures)
-      for (std::size_t e = 0; e < picture.springs.size(); ++e)
-        largest_ = std::max(largest_, std::abs(logarithm(picture, pictures.front(), e)));
-  }
-
-  /// Within 2 % of the first system's a spring is alike.
-  [[nodiscard]] std::size_t step(const Picture& picture, const Picture& first, std::size_t spring) const {
-    constexpr double kAlike = 0.02;
-    const double log = logarithm(picture, first, spring);
-    if (std::abs(log) < kAlike || largest_ == 0.0) return 3;
-    const double share = std::min(2.999, 3.0 * std::abs(log) / largest_);
-    const auto away = 1 + static_cast<std::size_t>(share);
-    return log < 0.0 ? 3 - away : 3 + away;
-  }
-  [[nodiscard]] double largest() const { return std::exp(largest_); }
-
- private:
-  static double logarithm(const Picture& picture, const Picture& first, std::size_t spring) {
-    const double a = picture.springs[spring].stiffness, b = first.springs[spring].stiffness;
-    return a > 0.0 && b > 0.0 ? std::log(a / b) : 0.0;
-  }
-  double largest_ = 0.0;
-};
+std::size_t colour_of(const PicturedSpring& spring, const PicturedSpring& first) {
+  const double a = spring.stiffness, b = first.stiffness;
+  if (!(a > 0.0 && b > 0.0)) return 3;
+  const auto away = static_cast<std::size_t>(
+      std::ranges::count_if(kLimits, [ratio = std::max(a / b, b / a)](double limit) { return ratio > limit; }));
+  return a < b ? 3 - away : 3 + away;
+}
 
 std::vector<std::array<Point, 2>> spring_places(const Picture& picture, double width) {
   const Frame frame = system_frame(picture, width);
@@ -58,41 +40,44 @@ std::vector<std::array<Point, 2>> spring_places(const Picture& picture, double w
   return places;
 }
 
-std::string difference_svg(const Picture& picture, const Picture& first, const Ratios& ratios) {
+std::string difference_svg(const Picture& picture, const Picture& first) {
   const Frame frame = system_frame(picture, kPanel);
   const std::vector<std::array<Point, 2>> places = spring_places(picture, kPanel);
-  std::array<std::string, Ratios::kColours.size()> paths;
+  std::array<std::string, kColours.size()> paths;
   for (std::size_t e = 0; e < places.size(); ++e)
-    paths[ratios.step(picture, first, e)] += move_to(places[e][0]) + line_to(places[e][1]);
+    paths[colour_of(picture.springs[e], first.springs[e])] += move_to(places[e][0]) + line_to(places[e][1]);
   std::string text = fmt::format(
       "<svg class=\"plate difference\" viewBox=\"0 0 {:.0f} {:.0f}\" role=\"img\" aria-label=\"each spring of {} "
       "against "
       "{}\"><g stroke-width=\"{:.2f}\">",
       frame.width, std::ceil(frame.height), escape_xml(picture.title), escape_xml(first.title), frame.line_width());
   for (std::size_t i = 0; i < paths.size(); ++i)
-    if (!paths[i].empty()) text += fmt::format("<path stroke=\"{}\" d=\"{}\"/>", Ratios::kColours[i], paths[i]);
+    if (!paths[i].empty()) text += fmt::format("<path stroke=\"{}\" d=\"{}\"/>", kColours[i], paths[i]);
   return text + "</g></svg>";
 }
 
-std::string figures(std::span<const Picture> pictures, const StiffnessColours& colours, const Ratios& ratios) {
+std::string figures(std::span<const Picture> pictures, const StiffnessColours& colours) {
   std::string text = "<div class=\"bests\">\n";
   for (std::size_t i = 1; i < pictures.size(); ++i)
     text += fmt::format(
         "<figure data-system=\"{}\">{}{}<figcaption>{}<br><small>relative error {}</small></figcaption></figure>\n", i,
-        system_svg(pictures[i], kPanel, colours), difference_svg(pictures[i], pictures.front(), ratios),
+        system_svg(pictures[i], kPanel, colours), difference_svg(pictures[i], pictures.front()),
         escape_html(pictures[i].title), figure_text(pictures[i].relative_error, 4));
   return text + "</div>\n";
 }
 
-std::string legend(const Ratios& ratios, const std::string& first) {
+std::string legend(const std::string& first) {
   std::string text =
-      "<p class=\"note\">Left: the system in the colours of its stiffnesses. Right: each spring against "
-      "that of the " +
-      escape_html(first) + ", ";
-  constexpr std::array<const char*, 7> kWords = {"softest", "", "softer", "alike", "stiffer", "", "stiffest"};
+      "<p class=\"note\">Left: the system in the colours of its stiffnesses, on the scale above; what is softer or "
+      "stiffer "
+      "than any spring there has the colour of that end. Right: each spring against that of the " +
+      escape_html(first) + ":";
+  constexpr std::array<const char*, 7> kWords = {
+      "less than half as stiff,", "down to half,", "softer by up to 20 %,",    "alike within 2 %,",
+      "stiffer by up to 25 %,",   "up to twice,",  "more than twice as stiff."};
   for (std::size_t i = 0; i < kWords.size(); ++i)
-    text += fmt::format("<span class=\"swatch\" style=\"background:{}\"></span>{} ", Ratios::kColours[i], kWords[i]);
-  return text + fmt::format("(up to {} times; alike within 2 %).</p>\n", figure_text(ratios.largest(), 3));
+    text += fmt::format("<span class=\"swatch\" style=\"background:{}\"></span>{} ", kColours[i], kWords[i]);
+  return text + "</p>\n";
 }
 
 std::string table(std::span<const Picture> pictures) {
@@ -133,8 +118,7 @@ std::string data(std::span<const Picture> pictures) {
 
 std::string springs_html(std::span<const Picture> pictures, const StiffnessColours& colours) {
   if (pictures.size() < 2 || pictures.front().springs.size() > kMostToldSprings) return {};
-  const Ratios ratios(pictures);
-  return "<h3>Spring by spring</h3>\n" + figures(pictures, colours, ratios) + legend(ratios, pictures.front().title) +
+  return "<h3>Spring by spring</h3>\n" + figures(pictures, colours) + legend(pictures.front().title) +
          "<p class=\"note scripted-springs\" hidden>Point at a spring for its stiffness; with the keyboard, choose a "
          "picture and go through its springs by the arrow keys.</p>\n" +
          table(pictures) + data(pictures);

@@ -32,8 +32,9 @@ TEST(PicturesHtml, ShowTheSystemBeforeItsLoads) {
 TEST(PicturesHtml, ShowEveryFurtherSystemSpringBySpring) {
   std::vector<Picture> all = {fixture::make_square("start", 0.5), fixture::make_square("best: annealing", 0.25),
                               fixture::make_square("<other>", 0.3)};
-  all[1].springs[0].stiffness = 2.0 * all[0].springs[0].stiffness;
-  all[2].springs[0].stiffness = 0.5 * all[0].springs[0].stiffness;
+  all[1].springs = all[2].springs = all[0].springs;
+  all[1].springs[0].stiffness *= 2.5;
+  all[2].springs[0].stiffness *= 0.4;
   const std::string html = pictures_html(all);
   EXPECT_EQ(count(html, "<svg class=\"plate load\""), 2u);
   EXPECT_EQ(count(html, "<figure data-system="), 2u);
@@ -42,7 +43,6 @@ TEST(PicturesHtml, ShowEveryFurtherSystemSpringBySpring) {
   EXPECT_EQ(count(html, "<path stroke=\"#b2182b\""), 1u);
   EXPECT_EQ(count(html, "<path stroke=\"#2166ac\""), 1u);
   EXPECT_EQ(count(html, "<path stroke=\"#b0b0b0\""), 2u);
-  EXPECT_NE(html.find("(up to 2.00 times; alike within 2 %)"), std::string::npos);
   EXPECT_NE(html.find("<th scope=\"col\">&lt;other&gt;</th>"), std::string::npos);
   EXPECT_EQ(count(html, "<other>"), 0u);
   const PicturedSpring& s = all[0].springs[0];
