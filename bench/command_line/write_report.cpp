@@ -65,6 +65,7 @@ void write_report(std::span<const Store> stores, const Registry& registry, Store
     throw;
   }
   print();
+  if (!wishes.latex.empty()) std::cerr << fmt::format("written: {}\n", wishes.latex);
   std::cerr << fmt::format("report: {}\n", (target.directory() / "report.html").string());
 }
 

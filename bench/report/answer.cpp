@@ -184,10 +184,10 @@ Answer make_answer(std::span<const Contest> contests, Scope scope) {
   const std::vector<Limit> limits = usual_limits(answer.scope.seconds, answer.scope.evaluations);
   for (const Limit& limit : limits) answer.verdicts.push_back(judge(contests, limit));
   if (answer.verdicts.front().problems.size() < 2) return answer;
-  for (const Contest& contest : contests) {
+  for (std::size_t p = 0; p < answer.verdicts.front().problems.size(); ++p) {
     ProblemAnswer& of = answer.problems.emplace_back();
-    of.problem = contest.reference.label;
-    for (const Limit& limit : limits) of.verdicts.push_back(judge(contest, limit));
+    of.problem = answer.verdicts.front().problems[p];
+    for (const Verdict& verdict : answer.verdicts) of.verdicts.push_back(verdict.by_problem[p]);
   }
   return answer;
 }
@@ -196,7 +196,7 @@ std::string limit_text(const Limit& limit, const Scope& scope) {
   if (limit.axis == Axis::seconds) {
     if (limit.cost)
       return *limit.cost < 0.1 ? fmt::format("{:g} ms", 1e3 * *limit.cost) : fmt::format("{:g} s", *limit.cost);
-    return scope.seconds ? fmt::format("{:g} s (the budget)", *scope.seconds) : "all the time that trials took";
+    return scope.seconds ? fmt::format("{:g} s (the budget)", *scope.seconds) : "the whole trial";
   }
   if (limit.cost) return count_text(*limit.cost) + " evaluations";
   return scope.evaluations ? "all " + count_text(*scope.evaluations) + " evaluations" : "all evaluations";

@@ -38,17 +38,7 @@ std::string table_of(const std::string& title, const Row& head, const std::vecto
 
 std::string share_text(double share) { return fmt::format("{:.2f}", share); }
 
-std::string axis_words(Axis axis) {
-  switch (axis) {
-    case Axis::seconds:
-      return "time";
-    case Axis::evaluations:
-      return "evaluations";
-    case Axis::work:
-      return "work";
-  }
-  return "";
-}
+std::string axis_words(Axis axis) { return axis == Axis::seconds ? "time" : std::string(to_string(axis)); }
 
 std::string targets_table(const ProblemConvergence& problem, const std::string& title,
                           const std::function<std::string(const TargetFigures&)>& text) {

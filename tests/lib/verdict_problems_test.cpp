@@ -36,6 +36,8 @@ TEST(VerdictOfProblems, TakesTheLeastMeanRank) {
   EXPECT_DOUBLE_EQ(standing(verdict, "b").rank, 5.0 / 3.0);
   EXPECT_DOUBLE_EQ(standing(verdict, "c").rank, 3.0);
   EXPECT_EQ(verdict.standings[0].best_on, 2u);
+  ASSERT_EQ(verdict.by_problem.size(), 3u);
+  EXPECT_EQ(verdict.by_problem[2].standings[0].optimizer, "b");
   EXPECT_EQ(standing(verdict, "b").best_on, 1u);
   EXPECT_EQ(standing(verdict, "c").best_on, 0u);
   // χ² = 12·3/(3·4) [(16 + 25 + 81)/9 − 3·16/4] = 3 (13.556 − 12) = 4.667, p = exp(−χ²/2) with two degrees.

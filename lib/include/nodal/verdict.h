@@ -95,6 +95,7 @@ struct Verdict {
   bool improved = false;             ///< somebody has improved a start
   std::size_t tests = 0;             ///< pairs that Holm's adjustment is over
   std::optional<double> friedman_p;  ///< of several problems
+  std::vector<Verdict> by_problem;   ///< of each of several problems, in their order
   /// The first, and who can't be told from it.
   [[nodiscard]] std::vector<const Standing*> to_take() const;
   /// The best that is told from the first, or untested; null where there is none.

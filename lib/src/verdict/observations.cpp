@@ -132,7 +132,7 @@ std::map<int, double> starts_of(const Contest& contest) {
 }
 
 Observations observe(const Contest& contest, const RowRequest& optimizer, const Limit& limit,
-                     const std::map<int, double>& starts) {
+                     const std::map<int, double>& starts, const Told& told) {
   Observations found;
   std::vector<const TrialRecord*> clean, own;
   for (const TrialRecord* trial : contest.trials) {
@@ -152,7 +152,8 @@ Observations observe(const Contest& contest, const RowRequest& optimizer, const 
       qualities.push_back(quality_within(*trial, limit));
       repeat = std::min(repeat, trial->repeat);
     }
-    found.all.push_back({repeat, group.start, statistics::quantile(std::move(qualities), 0.5)});
+    const double quality = statistics::quantile(std::move(qualities), 0.5);
+    found.all.push_back({repeat, group.start, quality, told(quality), told.gap(quality)});
   }
   std::ranges::sort(found.all, {}, &Observation::repeat);
   return found;

@@ -15,9 +15,10 @@ namespace nodal::verdict {
 
 /// Trials that went one way from one start.
 struct Observation {
-  int repeat = 0;               ///< of the first of them
-  std::optional<double> start;  ///< its quality; empty where nobody knows it
-  double quality = 0.0;         ///< within the limit, as it was measured; +∞ for never
+  int repeat = 0;                ///< of the first of them
+  std::optional<double> start;   ///< its quality; empty where nobody knows it
+  double quality = 0.0;          ///< within the limit, as it was measured; +∞ for never
+  double told = 0.0, gap = 0.0;  ///< … as Told says it
 };
 
 struct Observations {
@@ -45,6 +46,6 @@ class Told {
 [[nodiscard]] std::map<int, double> starts_of(const Contest& contest);
 
 [[nodiscard]] Observations observe(const Contest& contest, const RowRequest& optimizer, const Limit& limit,
-                                   const std::map<int, double>& starts);
+                                   const std::map<int, double>& starts, const Told& told);
 
 }  // namespace nodal::verdict

@@ -4,20 +4,19 @@
 #include <algorithm>
 #include <cmath>
 
-#include <nodal/show/number_text.h>
 #include <nodal/statistics/two_samples.h>
 
 namespace nodal::verdict {
 
 namespace {
 
-constexpr int kDigitsOfDifferences = 9;  // of qualities with four digits: the rest is rounding, which parts ties
-
-// Of values that may be infinite: two of these have no difference.
+// To 31 bits (Veltkamp's splitting): qualities are told with four digits, and the rest of their differences is
+// rounding, which would part ties. Two infinite values have no difference.
 double difference(double x, double y) {
+  constexpr double kSplit = 0x1p22 + 1.0;
   if (x == y) return 0.0;
-  const double d = x - y;
-  return std::isfinite(d) ? rounded(d, kDigitsOfDifferences) : d;
+  const double d = x - y, large = kSplit * d;
+  return std::isfinite(large) ? large - (large - d) : d;
 }
 
 double wilcoxon_p(std::span<const double> x, std::span<const double> y) {
@@ -27,6 +26,28 @@ double wilcoxon_p(std::span<const double> x, std::span<const double> y) {
 }
 
 }  // namespace
+
+Samples samples_of(const Observations& a, const Observations& b, double Observation::*value) {
+  Samples samples;
+  std::vector<double> starts;
+  bool shared = true;
+  for (const Observation& one : a.all)
+    for (const Observation& other : b.all)
+      if (one.repeat == other.repeat) {
+        shared = shared && one.start && one.start == other.start;
+        if (one.start) starts.push_back(*one.start);
+        samples.x.push_back(one.*value);
+        samples.y.push_back(other.*value);
+      }
+  std::ranges::sort(starts);
+  samples.paired = shared && starts.size() >= 2 && std::ranges::adjacent_find(starts) == starts.end();
+  if (samples.paired) return samples;
+  samples.x.clear();
+  samples.y.clear();
+  for (const Observation& one : a.all) samples.x.push_back(one.*value);
+  for (const Observation& other : b.all) samples.y.push_back(other.*value);
+  return samples;
+}
 
 Tested test_pair(const Samples& samples) {
   Tested tested;

@@ -56,7 +56,7 @@ double cost_until(const TrialRecord& trial, const verdict::Told& told, double ta
 
 bool has_improved(const Field& field, const Entrant& entrant) {
   return std::ranges::any_of(entrant.observed.all, [&](const verdict::Observation& one) {
-    return one.start && field.told(one.quality) < field.told(*one.start);
+    return one.start && one.told < field.told(*one.start);
   });
 }
 
@@ -64,7 +64,7 @@ Field field_of(const Contest& contest, const Limit& limit) {
   Field field{verdict::Told(contest), {}, {}, 0, false};
   const std::map<int, double> starts = verdict::starts_of(contest);
   for (const RowRequest& optimizer : contest.optimizers) {
-    Entrant entrant{optimizer.label, verdict::observe(contest, optimizer, limit, starts)};
+    Entrant entrant{optimizer.label, verdict::observe(contest, optimizer, limit, starts, field.told)};
     if (entrant.observed.all.empty()) continue;
     const double median = statistics::quantile(entrant.observed.qualities(), 0.5);
     entrant.median = field.told(median);
@@ -81,8 +81,8 @@ Field field_of(const Contest& contest, const Limit& limit) {
   }
   for (std::size_t i = 0; i < field.entrants.size(); ++i)
     for (std::size_t j = i + 1; j < field.entrants.size(); ++j)
-      field.tests.push_back(
-          verdict::test_pair(verdict::samples_of(field.entrants[i].observed, field.entrants[j].observed, field.told)));
+      field.tests.push_back(verdict::test_pair(
+          verdict::samples_of(field.entrants[i].observed, field.entrants[j].observed, &verdict::Observation::told)));
   field.tested = verdict::adjust(field.tests);
   return field;
 }
@@ -231,8 +231,8 @@ std::vector<verdict::Tested> tests_together(const Fields& all) {
     for (std::size_t j = i + 1; j < all.labels.size(); ++j) {
       std::vector<verdict::Samples> samples;
       for (std::size_t p = 0; p < all.fields.size(); ++p)
-        samples.push_back(verdict::samples_of(all.entrant(p, i).observed, all.entrant(p, j).observed,
-                                              [&](double quality) { return all.fields[p].told.gap(quality); }));
+        samples.push_back(
+            verdict::samples_of(all.entrant(p, i).observed, all.entrant(p, j).observed, &verdict::Observation::gap));
       tests.push_back(verdict::test_pairs_together(samples));
     }
   return tests;
@@ -364,6 +364,7 @@ Verdict judge(std::span<const Contest> contests, const Limit& limit) {
   }
   verdict.nobody = verdict.nobody || all.labels.empty();
   if (!all.labels.empty()) add_standings(all, verdict);
+  verdict.by_problem = all.verdicts;
   return verdict;
 }
 

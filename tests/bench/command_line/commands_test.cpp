@@ -43,6 +43,28 @@ TEST(Compare, PrintsATableAndWritesTheReport) {
   EXPECT_EQ(count_lines(folder.path() / "results" / "quick" / "trials"), 4u);
 }
 
+TEST(Compare, SaysWhichToTake) {
+  const Folder folder;
+  folder.write("quick.toml", kQuickStudy);
+  const Output output = run(folder, {"compare", "quick.toml"});
+  const std::size_t at = output.out.find("\nWhich to take\n");
+  ASSERT_NE(at, std::string::npos) << output.out;
+  EXPECT_NE(output.out.find("\n  With ", at), std::string::npos) << output.out;
+  EXPECT_NE(output.out.find("\n  Holds for 1 problem (", at), std::string::npos) << output.out;
+  const std::string page = read_file(folder.path() / "results" / "quick" / "report.html");
+  EXPECT_EQ(page.find("<h2>"), page.find("<h2>Which to take</h2>"));
+}
+
+TEST(Report, WritesTablesForLatex) {
+  const Folder folder;
+  folder.write("quick.toml", kQuickStudy);
+  ASSERT_EQ(run(folder, {"compare", "quick.toml"}).exit, 0);
+  const Output output = run(folder, {"report", "results/quick", "--latex", "tables.tex"});
+  EXPECT_EQ(output.exit, 0) << output.err;
+  EXPECT_TRUE(contains(output.err, "written: tables.tex\n")) << output.err;
+  EXPECT_TRUE(contains(read_file(folder.path() / "tables.tex"), "\\label{tab:answer}"));
+}
+
 TEST(Compare, RunsOnlyWhatIsMissing) {
   const Folder folder;
   folder.write("quick.toml", kQuickStudy);

@@ -165,7 +165,7 @@ TEST(Answer, ABudgetThatNobodyKnowsIsTheWholeTrial) {
   const Answer answer = collect_one(made).answer;
   EXPECT_FALSE(answer.scope.seconds);
   EXPECT_EQ(limit_text(answer.verdicts.back().limit, answer.scope), "all evaluations");
-  EXPECT_EQ(limit_text({Axis::seconds, {}}, answer.scope), "all the time that trials took");
+  EXPECT_EQ(limit_text({Axis::seconds, {}}, answer.scope), "the whole trial");
 }
 
 TEST(Answer, IsTheSameAtEveryCall) {
