@@ -46,8 +46,8 @@ std::vector<std::string> LiveTable::lines(std::size_t width, std::size_t height)
                         const std::string& failed) {
     return fmt::format("{:<{}.{}} {:>14} {:>8} {:>8}", label, widest, widest, error, trials, failed);
   };
-  std::vector<std::string> lines = {line(beginning(printable(problem_), widest), relative_ ? "relative error" : "quality",
-                                         "trials", "failed")};
+  std::vector<std::string> lines = {
+      line(beginning(printable(problem_), widest), relative_ ? "relative error" : "quality", "trials", "failed")};
   for (const Row& row : rows_) {
     const auto found = row.by_problem.find(problem_);
     const Best best = found == row.by_problem.end() ? Best() : found->second;

@@ -45,10 +45,9 @@ std::string problem_html(const ReportData& data, std::size_t index) {
   const auto pictures = data.pictures.find(problem.table.reference.label);
   return fmt::format("<section class=\"problem\" id=\"problem-{}\">\n<h2>", index) +
          escape_html(problem.table.reference.label) + "</h2>\n" + paragraph(describe_reference(problem) + ".") +
-         chart_html(problem, index) + table_html(problem) +
-         ends_html(problem.ends, problem.raced_name()) + unseen_chart_html(problem, index) +
-         (pictures == data.pictures.end() ? std::string() : pictures->second.html) + problem.details.html +
-         "</section>\n";
+         chart_html(problem, index) + table_html(problem) + ends_html(problem.ends, problem.raced_name()) +
+         unseen_chart_html(problem, index) + (pictures == data.pictures.end() ? std::string() : pictures->second.html) +
+         problem.details.html + "</section>\n";
 }
 
 // What stands on the page, for those who look for one thing.
@@ -134,7 +133,8 @@ std::string scripts_html(const ReportData& data) {
 std::string report_html(const ReportData& data) {
   std::string body = answer_html(data) + warnings_html(data);
   for (std::size_t i = 0; i < data.problems.size(); ++i) body += problem_html(data, i);
-  body += convergence_html(data) + optimizers_html(data) + how_to_read(data) + failures_html(data) + provenance_html(data);
+  body +=
+      convergence_html(data) + optimizers_html(data) + how_to_read(data) + failures_html(data) + provenance_html(data);
   std::string page =
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" +

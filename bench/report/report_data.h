@@ -20,9 +20,9 @@
 #include <nodal/study.h>
 
 #include "answer.h"
-#include "profiles.h"
 #include "ends.h"
 #include "optimizer_detail.h"
+#include "profiles.h"
 
 namespace nodal::report {
 

@@ -172,10 +172,11 @@ void add_scrutiny(const Scrutiny& scrutiny, std::vector<std::string>& notes) {
 // How far the best of all can be trusted, where somebody could say so.
 std::optional<std::string> digits_note(const ProblemReport& problem) {
   if (!problem.best || !problem.best->digits) return std::nullopt;
-  return fmt::format("The best {} of these trials, {:.12g} ({}, repeat {}), has {:.0f} digits that hold in arithmetic of "
-                     "50.",
-                     problem.raced_name(), problem.best->quality, problem.best->optimizer, problem.best->repeat,
-                     std::floor(*problem.best->digits));
+  return fmt::format(
+      "The best {} of these trials, {:.12g} ({}, repeat {}), has {:.0f} digits that hold in arithmetic of "
+      "50.",
+      problem.raced_name(), problem.best->quality, problem.best->optimizer, problem.best->repeat,
+      std::floor(*problem.best->digits));
 }
 
 }  // namespace

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-/// What an evaluator that had no part in the race says of the best point, when the trial is over: another factorization,
-/// refined, and a gradient there.
+/// What an evaluator that had no part in the race says of the best point, when the trial is over: another
+/// factorization, refined, and a gradient there.
 
 #include <optional>
 #include <span>

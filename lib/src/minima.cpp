@@ -51,8 +51,9 @@ Minima minima(std::span<const TrialRecord* const> trials) {
   std::ranges::stable_sort(arrived, {}, quality_of);
   for (const TrialRecord* trial : arrived) {
     // All perfect fits are one, whatever the rounding that they are of.
-    const bool joins = !result.found.empty() && ((perfect(*trial) && perfect(*result.found.back().trials.back())) ||
-                                                 one_minimum(quality_of(result.found.back().trials.back()), quality_of(trial)));
+    const bool joins =
+        !result.found.empty() && ((perfect(*trial) && perfect(*result.found.back().trials.back())) ||
+                                  one_minimum(quality_of(result.found.back().trials.back()), quality_of(trial)));
     if (!joins) result.found.push_back({.quality = quality_of(trial)});
     result.found.back().trials.push_back(trial);
   }

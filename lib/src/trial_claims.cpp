@@ -98,7 +98,7 @@ TrialClaims::Answer TrialClaims::claim(const std::string& key, std::int64_t atte
   if (own_.empty()) return Answer::granted;
   const std::string name = file_name(key, attempt);
   if (held_.contains(name)) return Answer::granted;  // it runs again
-  constexpr int kTries = 3;  // a claim may be given back between two looks
+  constexpr int kTries = 3;                          // a claim may be given back between two looks
   for (int i = 0; i < kTries; ++i) {
     if (make(name)) return Answer::granted;
     const std::optional<std::string> owner = content_of(folder_ / name);

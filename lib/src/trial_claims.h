@@ -6,8 +6,8 @@
 /// claims/KEY.ATTEMPT holds the name of its owner, and "done" once the trial is stored. claims/OWNER.alive is touched
 /// every two seconds by a comparison that lives. A claim whose owner has left none, or has not touched it for longer
 /// than its trials may take, is stale, and whoever sees that first takes it over. Ages are differences between times of
-/// one file system's files: clocks of machines may differ. Nothing is lost if it all goes wrong: a trial that two run is
-/// stored twice, and the first counts.
+/// one file system's files: clocks of machines may differ. Nothing is lost if it all goes wrong: a trial that two run
+/// is stored twice, and the first counts.
 ///
 /// Whoever comes to a store that nobody writes to, and whoever leaves one last, clears the folder.
 ///

@@ -119,11 +119,10 @@ TEST(Compare, SaysAndNotesThatAnotherComparisonWritesHere) {
     }
   };
   (void)run(study, directory, {}, observer);
-  EXPECT_EQ(warnings,
-            (std::vector<std::string>{"another comparison (process " + std::to_string(other) + ") writes to '" +
-                                      directory.path().string() +
-                                      "' now: they share the trials, and times taken meanwhile are marked as "
-                                      "contaminated"}));
+  EXPECT_EQ(warnings, (std::vector<std::string>{"another comparison (process " + std::to_string(other) +
+                                                ") writes to '" + directory.path().string() +
+                                                "' now: they share the trials, and times taken meanwhile are marked as "
+                                                "contaminated"}));
   const Store store(directory.path());
   for (const TrialRecord& record : store.records())
     EXPECT_EQ(record.conditions->beside_others, record.repeat < 2) << record.repeat;

@@ -54,7 +54,7 @@ struct Quartiles {
 /// The problem of a table: what G is measured against.
 struct ProblemReference {
   std::string label;
-  double best_quality = 0.0;          ///< G*
+  double best_quality = 0.0;         ///< G*
   std::string origin;                ///< who says so
   bool provisional = false;          ///< true when it is merely the best of these trials
   bool unimproved = false;           ///< provisional, and no trial improved its start: gaps to it mean nothing

@@ -22,9 +22,9 @@ inline constexpr double kArrived = 1e-3;
 inline constexpr double kOneMinimum = 1e-4;
 
 struct Minimum {
-  double quality = 0.0;                          ///< the least of its trials
-  double width = 0.0;                            ///< the largest difference in a coordinate between its points
-  std::vector<const TrialRecord*> trials = {};   ///< in the order of their qualities
+  double quality = 0.0;                         ///< the least of its trials
+  double width = 0.0;                           ///< the largest difference in a coordinate between its points
+  std::vector<const TrialRecord*> trials = {};  ///< in the order of their qualities
 };
 
 struct Minima {
