@@ -66,18 +66,7 @@ Value optimizer_schema(Value use, Value options) {
 
 Value any_table() { return Value::Table{{"type", "object"}}; }
 
-// Some methods at once: labels and baselines are of one.
-Value pattern_schema() {
-  Value use = Value::Table{{"type", "string"},
-                           {"pattern", "[*?\\[]"},
-                           {"description", "every method of a name like that: * any signs, ? one, [ab] one of these"}};
-  Value schema = optimizer_schema(std::move(use), any_table());
-  Value properties = schema.at("properties");
-  std::erase_if(properties.table(),
-                [](const auto& entry) { return entry.first == "label" || entry.first == "baseline"; });
-  schema.set("properties", std::move(properties));
-  return schema;
-}
+constexpr const char* kPattern = "[*?\\[]";
 
 std::string quoted_pattern(const std::string& name) {
   std::string pattern = "^";
@@ -85,62 +74,84 @@ std::string quoted_pattern(const std::string& name) {
   return name.ends_with('*') ? pattern : pattern + "$";
 }
 
-// A method that this build lacks is left out of the race, whatever its options say.
-Value absent_schema(const AbsentDescription& absent, const Registry& registry) {
-  Value use = Value::Table{{"type", "string"},
-                           {"pattern", quoted_pattern(absent.name)},
-                           {"description", "left out by this build: " + absent.reason}};
-  Value::List present;
-  for (const OptimizerDescription& method : registry.optimizers()) present.emplace_back(method.name);
-  use.set("not", Value::Table{{"enum", std::move(present)}});
-  return optimizer_schema(std::move(use), any_table());
+// What `use` may be: a method of this build, a pattern, or what is left out of the race.
+Value use_schema(const Registry& registry) {
+  Value::List names;
+  for (const OptimizerDescription& method : registry.optimizers()) names.emplace_back(method.name);
+  Value::List kinds = {Value::Table{{"enum", std::move(names)}}, Value::Table{{"pattern", kPattern}}};
+  for (const AbsentDescription& absent : registry.absent())
+    kinds.emplace_back(Value::Table{{"pattern", quoted_pattern(absent.name)},
+                                    {"description", "left out by this build: " + absent.reason}});
+  Value schema = any_of(std::move(kinds));
+  schema.set("type", "string");
+  return schema;
 }
 
-// Entries that an included file may complete: `key` says what they are, and may stand there.
-Value unnamed(const std::string& key) {
-  return Value::Table{{"type", "object"}, {"not", Value::Table{{"required", Value::List{key}}}}};
+// Methods whose options aren't known: some at once, of whom one can't have a label or be the baseline; those left out.
+Value any_optimizer(bool pattern) {
+  Value schema = optimizer_schema(Value::Table{{"type", "string"}}, any_table());
+  std::erase_if(schema.table(), [](const auto& entry) { return entry.first == "required"; });
+  if (!pattern) return schema;
+  Value properties = schema.at("properties");
+  std::erase_if(properties.table(),
+                [](const auto& entry) { return entry.first == "label" || entry.first == "baseline"; });
+  schema.set("properties", std::move(properties));
+  return schema;
 }
 
-Value problem_definitions(Value& definitions, const Registry& registry) {
-  Value::List kinds;
+// An entry as its `key` says: that of the first name that it is, else `otherwise`. Not by "anyOf", of which an editor
+// says only that it is none.
+Value entry_schema(const char* what, const std::string& key, const std::vector<std::string>& names, Value words,
+                   Value otherwise) {
+  Value schema = std::move(otherwise);
+  Value::List offers;
+  for (auto name = names.rbegin(); name != names.rend(); ++name)
+    schema = choice(key_is(key, *name), reference_to(definition_name(what, *name)), std::move(schema));
+  for (const std::string& name : names) offers.push_back(reference_to(definition_name(what, name)));
+  schema.set("type", "object");
+  schema.set("properties", Value::Table{{key, std::move(words)}});
+  add_offers(schema, std::move(offers));
+  return schema;
+}
+
+void define_problems(Value& definitions, const Registry& registry) {
+  std::vector<std::string> kinds;
   for (const ProblemDescription& problem : registry.problems()) {
-    definitions.set("problem " + problem.kind, problem_schema(problem));
-    kinds.push_back(reference_to("problem " + problem.kind));
+    definitions.set(definition_name("problem", problem.kind), problem_schema(problem));
+    kinds.push_back(problem.kind);
   }
-  return Value(std::move(kinds));
+  Value words = Value::Table{{"enum", Value::List(kinds.begin(), kinds.end())}};
+  definitions.set("problem", entry_schema("problem", "kind", kinds, std::move(words), Value()));
 }
 
-Value optimizer_definitions(Value& definitions, const Registry& registry) {
-  Value::List uses;
+void define_optimizers(Value& definitions, const Registry& registry) {
+  std::vector<std::string> uses;
   for (const OptimizerDescription& method : registry.optimizers()) {
-    const std::string name = "optimizer " + method.name;
-    Value options = table_schema(method.options, Ranges::allowed);
+    Value options = table_or_range(method.options);
     options.set("description", "the method's own options");
-    definitions.set(name, optimizer_schema(constant(method.name, method.summary), std::move(options)));
-    uses.push_back(reference_to(name));
+    definitions.set(definition_name("optimizer", method.name),
+                    optimizer_schema(constant(method.name, method.summary), std::move(options)));
+    uses.push_back(method.name);
   }
-  uses.push_back(pattern_schema());
-  for (const AbsentDescription& absent : registry.absent()) uses.push_back(absent_schema(absent, registry));
-  return Value(std::move(uses));
+  Value is_pattern = requires_key("use");
+  is_pattern.set("properties", Value::Table{{"use", Value::Table{{"pattern", kPattern}}}});
+  definitions.set("optimizer", entry_schema("optimizer", "use", uses, use_schema(registry),
+                                            choice(std::move(is_pattern), any_optimizer(true), any_optimizer(false))));
 }
+
+Value is_list() { return Value::Table{{"type", "array"}}; }
 
 // An entry, or a list of them.
 Value entries(const std::string& definition, const std::string& description) {
-  Value one = reference_to(definition);
-  Value schema = any_of({one, Value::Table{{"type", "array"}, {"items", one}}});
+  const Value one = reference_to(definition), list = Value::Table{{"type", "array"}, {"items", one}};
+  Value schema = choice(is_list(), list, one);
+  add_offers(schema, {one, list});
   schema.set("description", description);
   return schema;
 }
 
-Value root_schema(const char* problem, const char* optimizer) {
-  const Option include = {
-      .name = "include", .type = OptionType::text_list, .help = "files whose tables this study takes and overrides"};
-  Value schema = table_schema({include}, Ranges::none);
-  add_property(schema, "study", table_schema(study_schema(), Ranges::none));
-  add_property(schema, "budget", table_schema(budget_schema(), Ranges::none));
-  add_property(schema, "problem", entries(problem, "what is optimized: [problem], or several [[problem]]"));
-  add_property(schema, "optimizer", entries(optimizer, "who races: any number of [[optimizer]]"));
-  return schema;
+Value entries_with(const std::string& key) {
+  return choice(is_list(), Value::Table{{"items", requires_key(key)}}, requires_key(key));
 }
 
 }  // namespace
@@ -148,18 +159,20 @@ Value root_schema(const char* problem, const char* optimizer) {
 std::string study_json_schema(const Registry& registry) {
   Value definitions;
   definitions.set("range", range_schema());
-  const Value kinds = problem_definitions(definitions, registry), uses = optimizer_definitions(definitions, registry);
-  definitions.set("problem", any_of(kinds.list()));
-  definitions.set("optimizer", any_of(uses.list()));
-  definitions.set("part of a problem", any_of({reference_to("problem"), unnamed("kind")}));
-  definitions.set("part of an optimizer", any_of({reference_to("optimizer"), unnamed("use")}));
-  Value whole = root_schema("problem", "optimizer"), part = root_schema("part of a problem", "part of an optimizer");
-  Value properties = whole.at("properties");
-  std::erase_if(properties.table(), [](const auto& entry) { return entry.first == "include"; });
-  whole.set("properties", std::move(properties));
-  add_required(whole, "problem");
-  add_required(part, "include");
-  Value schema = any_of({std::move(whole), std::move(part)});
+  define_problems(definitions, registry);
+  define_optimizers(definitions, registry);
+  const Option include = {
+      .name = "include", .type = OptionType::text_list, .help = "files whose tables this study takes and overrides"};
+  Value schema = table_schema({include}, Ranges::none);
+  add_property(schema, "study", table_schema(study_schema(), Ranges::none));
+  add_property(schema, "budget", table_schema(budget_schema(), Ranges::none));
+  add_property(schema, "problem", entries("problem", "what is optimized: [problem], or several [[problem]]"));
+  add_property(schema, "optimizer", entries("optimizer", "who races: any number of [[optimizer]]"));
+  // What is included may say what is missing here.
+  Value whole = requires_key("problem");
+  whole.set("properties", Value::Table{{"problem", entries_with("kind")}, {"optimizer", entries_with("use")}});
+  schema.set("if", requires_key("include"));
+  schema.set("else", std::move(whole));
   schema.set("$schema", "http://json-schema.org/draft-07/schema#");
   schema.set("title", "A study of nodal");
   schema.set("definitions", std::move(definitions));

@@ -4,6 +4,9 @@
 /// A JSON schema (draft 7) of studies, for editors that complete and check TOML by one: made from the option schemas
 /// that read a study, so that it knows what this build knows.
 ///
+/// Conditions say what holds, so that an editor marks the key at fault; an "anyOf" beside them that takes everything is
+/// for completion, of which taplo finds nothing behind an "if".
+///
 /// What it says   tables, keys, types, ranges of numbers, lengths, words to choose from, defaults, what keys mean;
 /// those
 ///                of each `kind` of problem and of the options of each `use`; ranges of several instances; patterns of

@@ -2,6 +2,7 @@
 #include "option_json.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -39,9 +40,18 @@ Value or_range(Value schema, Ranges ranges) {
   return ranges == Ranges::none ? std::move(schema) : any_of({std::move(schema), reference_to("range")});
 }
 
-Value list_of(const Option& option, Value item, Ranges ranges) {
+Value list_of_items(const Option& option, Value item) {
   const std::size_t most = option.length > 0 ? std::max(option.length, option.longest) : 0;
-  return list_schema(or_range(std::move(item), ranges), option.length, most);
+  return list_schema(std::move(item), option.length, most);
+}
+
+Value list_of(const Option& option, Value item, Ranges ranges) {
+  return list_of_items(option, or_range(std::move(item), ranges));
+}
+
+Value table_of(const Option& option, Ranges ranges) {
+  if (option.fields.empty()) return of_type("object");
+  return ranges == Ranges::allowed ? table_or_range(option.fields) : table_schema(option.fields, ranges);
 }
 
 Value vector_schema(const Option& option, Ranges ranges) {
@@ -70,9 +80,9 @@ Value plain_schema(const Option& option, Ranges ranges) {
     case OptionType::vector_lists:
       return list_of(option, list_schema(or_range(vector_schema(option, ranges), ranges), 0, 0), ranges);
     case OptionType::table:
-      return option.fields.empty() ? of_type("object") : table_schema(option.fields, ranges);
+      return table_of(option, ranges);
     case OptionType::table_list:
-      return list_of(option, table_schema(option.fields, ranges), ranges);
+      return list_of_items(option, table_of(option, ranges));
   }
   return Value();
 }
@@ -88,12 +98,35 @@ std::string description_of(const Option& option) {
 
 Value any_of(Value::List schemas) { return Value::Table{{"anyOf", std::move(schemas)}}; }
 
+void add_offers(Value& schema, Value::List schemas) {
+  schemas.emplace_back();
+  schema.set("anyOf", std::move(schemas));
+}
+
+Value choice(Value condition, Value then, Value otherwise) {
+  return Value::Table{{"if", std::move(condition)}, {"then", std::move(then)}, {"else", std::move(otherwise)}};
+}
+
+Value requires_key(const std::string& key) { return Value::Table{{"required", Value::List{key}}}; }
+
+Value key_is(const std::string& key, const std::string& value) {
+  Value condition = requires_key(key);
+  condition.set("properties", Value::Table{{key, Value::Table{{"const", value}}}});
+  return condition;
+}
+
+std::string definition_name(const std::string& what, const std::string& name) {
+  std::string text = what + "-";
+  for (const char c : name) text += std::isalnum(static_cast<unsigned char>(c)) || c == '.' ? c : '-';
+  return text;
+}
+
 Value reference_to(const std::string& name) { return Value::Table{{"$ref", "#/definitions/" + name}}; }
 
 Value value_schema(const Option& option, Ranges ranges) {
   Value schema = plain_schema(option, ranges);
-  if (option.or_table) schema = any_of({std::move(schema), table_schema(option.fields, ranges)});
-  schema = or_range(std::move(schema), ranges);
+  if (option.or_table) schema = any_of({std::move(schema), table_or_range(option.fields)});
+  if (option.type != OptionType::table && !option.or_table) schema = or_range(std::move(schema), ranges);
   if (const std::string text = description_of(option); !text.empty()) schema.set("description", text);
   if (option.default_value) schema.set("default", *option.default_value);
   return schema;
@@ -119,6 +152,21 @@ Value table_schema(const OptionSchema& options, Ranges ranges) {
   schema.set("additionalProperties", false);
   for (const Option& option : options)
     if (option.required) add_required(schema, option.name);
+  return schema;
+}
+
+Value table_or_range(const OptionSchema& options) {
+  Value schema = table_schema(options, Ranges::allowed);
+  const Value range_keys = Value::Table{{"grid", Value::Table{{"type", "array"}, {"minItems", 1}}},
+                                        {"count", Value::Table{{"type", "integer"}, {"minimum", 1}}},
+                                        {"from", Value::Table{{"type", "integer"}, {"minimum", 0}}}};
+  for (const auto& [key, value] : range_keys.table()) add_property(schema, key, value);
+  if (!schema.find("required")) return schema;
+  // What a table must have, a range needn't.
+  const Value required = Value::Table{{"required", schema.at("required")}};
+  std::erase_if(schema.table(), [](const auto& entry) { return entry.first == "required"; });
+  schema.set("if", any_of({requires_key("grid"), requires_key("count")}));
+  schema.set("else", required);
   return schema;
 }
 

@@ -85,7 +85,7 @@ TEST(Schema, IsOneTextOfJson) {
   EXPECT_EQ(output.exit, 0);
   const Value schema = parse_json(output.out, "schema");
   EXPECT_EQ(schema.at("$schema").text(), "http://json-schema.org/draft-07/schema#");
-  EXPECT_TRUE(schema.at("definitions").find("optimizer annealing"));
+  EXPECT_TRUE(schema.at("definitions").find("optimizer-annealing"));
 }
 
 }  // namespace

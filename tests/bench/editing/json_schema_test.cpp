@@ -57,7 +57,7 @@ TEST(JsonSchema, TakesEveryMethodWithAllItsDefaults) {
   }
 }
 
-// Each alternative of the root says why it isn't the study.
+// An editor marks the key that is wrong, not all that it stands in.
 struct Wrong {
   const char *name, *study, *fault;
 };
@@ -79,16 +79,19 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"Type", "[problem]\nkind = 'sphere'\n[study]\nseed = 'one'\n", "/study/seed: is no integer"},
         Wrong{"Range", "[problem]\nkind = 'sphere'\n[budget]\nseconds = 0\n", "/budget/seconds: is too small"},
         Wrong{"Choice", "[problem]\nkind = 'sphere'\n[study]\nstarts = 'random'\n", "/study/starts: is no choice"},
-        Wrong{"Kind", "[problem]\nkind = 'sphare'\n", "/problem: is nothing of"},
-        Wrong{"KindsKey", "[problem]\nkind = 'sphere'\npoisson = 0.2\n", "/problem: is nothing of"},
-        Wrong{"DeepKey", "[problem]\nkind = 'elastic'\nmaterial = { poison = 0.2 }\n", "/problem: is nothing of"},
-        Wrong{"RangeOfAKind", "[problem]\nkind = { grid = ['sphere'] }\n", "/problem: is nothing of"},
-        Wrong{"EmptyRange", "[problem]\nkind = 'sphere'\ndimension = { grid = [] }\n", "/problem: is nothing of"},
-        Wrong{"Use", "[problem]\nkind = 'sphere'\n[[optimizer]]\nuse = 'anealing'\n", "/optimizer: is nothing of"},
+        Wrong{"Kind", "[problem]\nkind = 'sphare'\n", "/problem/kind: is no choice"},
+        Wrong{"KindsKey", "[problem]\nkind = 'sphere'\npoisson = 0.2\n", "/problem: unknown key poisson"},
+        Wrong{"DeepKey", "[problem]\nkind = 'elastic'\nmaterial = { poison = 0.2 }\n",
+              "/problem/material: unknown key poison"},
+        Wrong{"RangeOfAKind", "[problem]\nkind = { grid = ['sphere'] }\n", "/problem/kind: is no choice"},
+        Wrong{"EmptyRange", "[problem]\nkind = 'sphere'\ndimension = { grid = [] }\n",
+              "/problem/dimension: is nothing of"},
+        Wrong{"Use", "[problem]\nkind = 'sphere'\n[[optimizer]]\nuse = 'anealing'\n",
+              "/optimizer/0/use: is nothing of"},
         Wrong{"Option", "[problem]\nkind = 'sphere'\n[[optimizer]]\nuse = 'annealing'\noptions = { stepp = 1 }\n",
-              "/optimizer: is nothing of"},
+              "/optimizer/0/options: unknown key stepp"},
         Wrong{"LabelOfSeveral", "[problem]\nkind = 'sphere'\n[[optimizer]]\nuse = 'anneal*'\nlabel = 'a'\n",
-              "/optimizer: is nothing of"}),
+              "/optimizer/0: unknown key label"}),
     [](const auto& wrong) { return std::string(wrong.param.name); });
 
 TEST(JsonSchema, TakesRangesPatternsAndIncludes) {
@@ -112,7 +115,7 @@ TEST(JsonSchema, TakesMethodsThatAreLeftOut) {
 }
 
 TEST(JsonSchema, TellsWhatKeysMean) {
-  const Value& elastic = schema().at("definitions").at("problem elastic").at("properties");
+  const Value& elastic = schema().at("definitions").at("problem-elastic").at("properties");
   for (const Option& option : components().find_problem("elastic")->options) {
     ASSERT_TRUE(elastic.find(option.name)) << option.name;
     EXPECT_EQ(option.help.empty(), !elastic.at(option.name).find("description")) << option.name;

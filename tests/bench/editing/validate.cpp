@@ -36,6 +36,8 @@ class Validator {
     if (std::ranges::find(said, keyword) != said.end()) return {};
     if (keyword == "$ref") return check(target_of(argument.text()), value, place);
     if (keyword == "anyOf") return any_of(argument, value, place);
+    if (keyword == "if") return branch(schema, check(argument, value, place).empty() ? "then" : "else", value, place);
+    if (keyword == "then" || keyword == "else") return {};  // by "if"
     if (keyword == "not") return fault_unless(!check(argument, value, place).empty(), place, "is what it must not be");
     if (keyword == "type") return fault_unless(has_type(argument.text(), value), place, "is no " + argument.text());
     if (keyword == "const") return fault_unless(value == argument, place, "is not " + to_json(argument));
@@ -54,7 +56,15 @@ class Validator {
   const Value& target_of(const std::string& reference) const {
     const std::string begin = "#/definitions/";
     if (!reference.starts_with(begin)) throw std::logic_error("a reference to elsewhere: " + reference);
+    if (reference.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789.-#/") !=
+        std::string::npos)
+      throw std::logic_error("a reference that is no URI: " + reference);
     return root_.at("definitions").at(reference.substr(begin.size()));
+  }
+
+  Faults branch(const Value& schema, const char* keyword, const Value& value, const std::string& place) const {
+    const Value* taken = schema.find(keyword);
+    return taken ? check(*taken, value, place) : Faults{};
   }
 
   Faults any_of(const Value& schemas, const Value& value, const std::string& place) const {
