@@ -8,9 +8,8 @@
 /// for completion, of which taplo finds nothing behind an "if".
 ///
 /// What it says   tables, keys, types, ranges of numbers, lengths, words to choose from, defaults, what keys mean;
-/// those
-///                of each `kind` of problem and of the options of each `use`; ranges of several instances; patterns of
-///                `use`; methods that this build leaves out, with any options.
+///                those of each `kind` of problem and of the options of each `use`; ranges of several instances;
+///                patterns of `use`; methods that this build leaves out, with any options.
 /// What it can't  rules between keys, and what an included file adds: with `include` nothing is required. It is wider
 ///                than the reader, never narrower, but for tables that an included file completes.
 
