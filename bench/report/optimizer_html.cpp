@@ -88,7 +88,7 @@ std::string repeats_html(const ProblemReport& problem, const OptimizerDetail& de
   for (const RepeatDetail& repeat : detail.repeats) rows += repeat_row(repeat, has_error);
   const std::string title = fmt::format("Trials of {} on {}", detail.label, problem.table.reference.label);
   return scroll(title,
-                fmt::format("<table class=\"repeats\"><caption>{}</caption><thead><tr><th "
+                fmt::format("<table class=\"repeats\"><caption>{}</caption><thead><tr><th class=\"label\" "
                             "scope=\"col\">repeat</th><th scope=\"col\">{}</th><th "
                             "scope=\"col\">evaluations</th><th scope=\"col\">time to best</th><th "
                             "scope=\"col\">total time</th><th scope=\"col\" class=\"label\">end</th></tr></thead>"

@@ -37,6 +37,14 @@ Value read_manifest(const fs::path& path) {
   return manifest;
 }
 
+// A folder of a store that is a link leads out of it: files written there would replace those of somebody else. (The
+// store itself may be one: whoever named it meant it.)
+void refuse_link(const fs::path& folder) {
+  std::error_code ignored;
+  if (fs::is_symlink(fs::symlink_status(folder, ignored)))
+    throw StoreError(fmt::format("cannot write into '{}': it is a link; remove it", folder.string()));
+}
+
 }  // namespace
 
 struct Store::State {
@@ -182,6 +190,7 @@ std::optional<int> Store::other_writer() const noexcept {
 void Store::write_file(const std::string& name, std::string_view content) {
   state_->require_in_place();
   const fs::path path = state_->directory / name;
+  if (fs::path(name).has_parent_path()) refuse_link(path.parent_path());
   make_directory(path.parent_path());
   replace_file(path, content, Links::replace);
 }

@@ -111,6 +111,18 @@ function sorts() {
   return up && ascending(last(1).reverse()) && heading.getAttribute("aria-sort") === "descending";
 }
 
+function springs() {
+  const tip = document.querySelector(".plate-figure > .tip");
+  const picture = [...document.querySelectorAll("[data-system] svg")].pop();
+  picture.querySelector(".spring-hit").dispatchEvent(new PointerEvent("pointerenter"));
+  const first = tip.textContent;
+  picture.dispatchEvent(new KeyboardEvent("keydown", { key: "ArrowRight" }));
+  const told = /^spring \d+–\d+: .* N\/m, .* times that of the start$/;
+  const both = told.test(first) && told.test(tip.textContent) && first !== tip.textContent && !tip.hidden;
+  picture.dispatchEvent(new PointerEvent("pointerleave"));
+  return both && tip.hidden;
+}
+
 addEventListener("load", async () => {
   await wait(300);
   const races = all("figure.race").length;
@@ -139,6 +151,6 @@ addEventListener("load", async () => {
   const files = [await saved("SVG"), await saved("PNG")].join(" ");
   document.title = `PROBE races ${drawn} of ${races}, page ${wide}, plates ${plates}, ` +
     `lines ${before} ${chosen} ${hidden}, tip ${said}, thick ${thick}, ` +
-    `panels ${filled} of ${panels.length}, curves ${curves}, told ${told}, sorts ${sorted}, saves ${files}, ` +
+    `panels ${filled} of ${panels.length}, curves ${curves}, told ${told}, springs ${springs()}, sorts ${sorted}, saves ${files}, ` +
     `audit ${audit()}`;
 });

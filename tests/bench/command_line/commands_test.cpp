@@ -40,6 +40,8 @@ TEST(Compare, PrintsATableAndWritesTheReport) {
   EXPECT_TRUE(contains(output.err, "report: results/quick/report.html\n")) << output.err;
   for (const char* file : {"report.html", "summary.csv", "optimizers.csv", "budgets.csv", "manifest.json"})
     EXPECT_GT(std::filesystem::file_size(folder.path() / "results" / "quick" / file), 100u) << file;
+  for (const auto& figure : std::filesystem::directory_iterator(folder.path() / "results" / "quick" / "figures"))
+    EXPECT_TRUE(read_file(figure.path()).starts_with("<svg xmlns=")) << figure.path();
   EXPECT_EQ(count_lines(folder.path() / "results" / "quick" / "trials"), 4u);
 }
 

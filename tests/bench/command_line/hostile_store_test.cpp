@@ -115,6 +115,19 @@ TEST_F(HostileStore, IncludesNoFile) {
   EXPECT_FALSE(contains(output.err, "secret")) << output.err;
 }
 
+// A folder of its own that leads elsewhere would have the figures replace what is there.
+TEST_F(HostileStore, DoesNotLeadItsFiguresElsewhere) {
+  std::filesystem::create_directory(folder_.path() / "elsewhere");
+  std::filesystem::remove_all(store() / "figures");
+  std::filesystem::create_directory_symlink(folder_.path() / "elsewhere", store() / "figures");
+  const Output output = run(folder_, {"report", "results/quick"});
+  EXPECT_EQ(output.exit, 2);
+  EXPECT_TRUE(contains(output.err, "cannot write into 'results/quick/figures': it is a link; remove it\n"))
+      << output.err;
+  EXPECT_TRUE(contains(output.out, "annealing (baseline)")) << output.out;  // the table is shown all the same
+  EXPECT_TRUE(std::filesystem::is_empty(folder_.path() / "elsewhere"));
+}
+
 // What stands where its report goes is replaced if it is a link, never followed, and refused if it is a pipe, without
 // waiting for whoever reads from it.
 TEST_F(HostileStore, IsNotWrittenThrough) {
