@@ -33,7 +33,7 @@ Registry components() {
 
 Study plate_with(const std::string& method, const Registry& registry) {
   return parse_study(
-      "[budget]\nseconds = 0.5\nevaluations = 5000\n[problem]\nkind = \"elastic\"\n[[optimizer]]\nuse = \"" + method +
+      "[budget]\nseconds = 0.5\nevaluations = 25000\n[problem]\nkind = \"elastic\"\n[[optimizer]]\nuse = \"" + method +
           "\"\n",
       "cold_runs", registry);
 }

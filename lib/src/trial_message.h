@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-/// What a trial's process sends its parent: the record as it will be stored, and before it the same without what is
+/// What a trial's process sends its parent: the record as it is stored, and before it the same without what is
 /// long, which is all that the parent reads. Parsing and writing ten thousand numbers takes as long as a short trial.
 
 #include <string>
