@@ -88,13 +88,12 @@ std::vector<Shared> make_shared(const MergedStores& stores, Experiment& experime
     }
     const ProblemReference reference =
         make_table(label, best_known_of(stores.manifest, label), {}, stores.records).reference;
-    shared.function = {id, label, dimension, reference.beaten.value_or(reference.best_quality), reference.provisional,
-                       {}};
-    if (reference.beaten)
+    shared.function = {id, label, dimension, reference.best_quality, reference.provisional, {}};
+    if (reference.given)
       experiment.warnings.push_back(
           fmt::format("problem '{}': precision is measured from {:.10g}, of a trial; G* = {} "
                       "was beaten",
-                      shown(label), *reference.beaten, reference.best_quality));
+                      shown(label), reference.best_quality, *reference.given));
     else if (reference.provisional)
       experiment.warnings.push_back(
           fmt::format("problem '{}' knows no best quality: precision is measured from that of "

@@ -35,8 +35,9 @@ double stationarity(const Space& space, std::span<const double> x, std::span<con
 
 }  // namespace
 
-IndependentLook look_independently(const Problem& problem, std::span<const double> x, double seen) {
+IndependentLook look_independently(const Problem& problem, std::span<const double> point, double seen) {
   IndependentLook look;
+  const std::vector<double> x(point.begin(), point.end());  // whatever the problem does to its points
   try {
     const std::unique_ptr<Evaluator> evaluator = problem.make_evaluator();
     const Evaluation fresh = evaluator->audit(x);

@@ -40,10 +40,10 @@ struct Listing {
   std::vector<std::string> lines = {};
 };
 
-/// A figure that a problem finds at a point beside its quality: a column of summary.csv and, where it is `tabled`, of
-/// table and page.
+/// A figure that a problem finds at a point beside its quality: a column of optimizers.csv and, where it is `tabled`,
+/// of table and page.
 struct FindingDescription {
-  std::string name = {};   ///< as Finding has it; in summary.csv <name>_median and quartiles
+  std::string name = {};   ///< as Finding has it; in optimizers.csv <name>_median and quartiles
   std::string title = {};  ///< as people read it: "k_max/k_min"
   std::string unit = {};   ///< "" for dimensionless
   std::string help = {};   ///< one sentence for a tooltip

@@ -65,15 +65,15 @@ struct Conditions {
   std::int64_t cores = 1;      ///< that the program was allowed to use
   bool beside_others = false;  ///< another comparison wrote to the same store meanwhile
   bool stopped = false;        ///< its process was stopped and continued (Ctrl-Z, SIGSTOP, a frozen container)
-  /// What builds before 0.2.0 didn't look at is empty.
+  /// Older records don't say the following.
   std::optional<std::int64_t> core = {};       ///< that it was pinned to
   std::optional<std::int64_t> preempted = {};  ///< involuntary context switches: the core was taken from it
   std::optional<std::int64_t> waited = {};     ///< voluntary ones: it waited for something
   /// Time of a fixed piece of arithmetic shortly before, over its least time in this comparison: 1.3 on a core that is
   /// 1.3 times as slow as it was at its fastest.
   std::optional<double> pace = {};
-  std::optional<double> cold =
-      {};  ///< time of the first evaluations in the warm-up, over that of the same ones after it
+  /// Time of the first evaluations in the warm-up, over that of the same ones after it.
+  std::optional<double> cold = {};
 };
 
 /// What an independent path says of the best point when the trial is over: a fresh evaluator, which shares nothing with

@@ -31,7 +31,7 @@ TEST(Ends, CountWhoseTrialsEndedWhere) {
   EXPECT_NEAR(ends.minima[0].width, 1e-5, 1e-12);
   EXPECT_EQ(ends.on_the_way, (TrialCounts{{"slow", 1}}));
   const std::string html = ends_html(ends, "G");
-  EXPECT_NE(html.find("<th scope=\"row\">G = 1</th><td>3</td>"), std::string::npos) << html;
+  EXPECT_NE(html.find("<th scope=\"row\">G = 1.000000</th><td>3</td>"), std::string::npos) << html;
   EXPECT_NE(html.find("a (2), b (1)"), std::string::npos) << html;
   EXPECT_NE(html.find("b&lt; (1)"), std::string::npos) << html;
   EXPECT_NE(html.find("on the way</th><td>1</td>"), std::string::npos) << html;
