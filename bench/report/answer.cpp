@@ -242,9 +242,10 @@ std::vector<std::string> scope_lines(const Answer& answer) {
                         ? answer.scope.first_run
                         : answer.scope.first_run + " to " + answer.scope.last_run);
   std::vector<std::string> lines = {fmt::format("Holds for {}.", fmt::join(parts, ", "))};
-  if (answer.disturbed > 0 || answer.failed > 0)
-    lines.push_back(
-        fmt::format("Of {} trials {} disturbed and {} failed.", answer.trials, answer.disturbed, answer.failed));
+  std::vector<std::string> troubles;
+  if (answer.disturbed > 0) troubles.push_back(fmt::format("{} disturbed", answer.disturbed));
+  if (answer.failed > 0) troubles.push_back(fmt::format("{} failed", answer.failed));
+  if (!troubles.empty()) lines.push_back(fmt::format("Of {} trials {}.", answer.trials, fmt::join(troubles, " and ")));
   return lines;
 }
 

@@ -176,6 +176,7 @@ std::string success_text(const TargetFigures& target) {
 
 std::string refused_text(const ProblemConvergence& problem) {
   if (problem.refused.empty()) return {};
+  if (problem.least_gap >= 1.0) return "No targets: the start can't be told from the best known quality.";
   std::vector<std::string> gaps;
   for (const double gap : problem.refused) gaps.push_back(gap_text(gap));
   return fmt::format(

@@ -121,7 +121,8 @@ std::optional<std::string> floor_note(const ProblemReport& problem) {
 
 // Which of a table's columns are left out.
 std::optional<std::string> refused_note(const ProblemReport& problem) {
-  if (problem.least_gap <= kLeastShownGap) return std::nullopt;
+  // From 1 on there is no way to be told of, and the line above the table says so.
+  if (problem.least_gap <= kLeastShownGap || problem.least_gap >= 1.0) return std::nullopt;
   return fmt::format(
       "Gaps below {} are no targets and not shown: {}* isn't known well enough to tell them from {}* itself.",
       figure_text(problem.least_gap, 1), problem.raced_name(), problem.raced_name());

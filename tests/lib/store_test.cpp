@@ -153,8 +153,9 @@ TEST(Store, DescribesItsStudyInTheManifest) {
   EXPECT_EQ(to_json(m.at("problems")), R"([{"label":"bowl","kind":"bowl","options":{"size":3,"even":false},)"
                                        R"("best_known":{"quality":0.0,"origin":"by construction"}}])");
   EXPECT_EQ(to_json(m.at("optimizers")),
-            R"([{"label":"halving","use":"halving","baseline":true,"multi_start":false,"deterministic":true},)"
-            R"({"label":"w","use":"wanderer","baseline":false,"multi_start":false,"deterministic":false}])");
+            R"([{"label":"halving","use":"halving","baseline":true,"multi_start":false,"deterministic":true,)"
+            R"("options":{"factor":0.5}},{"label":"w","use":"wanderer","baseline":false,"multi_start":false,)"
+            R"("deterministic":false,"options":{}}])");
   EXPECT_EQ(to_json(m.at("left_out")),
             R"([{"label":"nlopt-x","use":"nlopt-x","reason":"needs NLopt: configure with -DNODAL_NLOPT=ON"}])");
   ASSERT_EQ(m.at("keys").list().size(), 4u);

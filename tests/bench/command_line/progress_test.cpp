@@ -51,7 +51,7 @@ TEST(LiveTable, HasTheBestOfEachOptimizerOnTheProblemThatRuns) {
   record.best.reset();
   table.add(record);
   EXPECT_EQ(table.lines(80, 24), (std::vector<std::string>{"plate        relative error   trials   failed",
-                                                           "annealing            0.0174        3        1",
+                                                           "annealing           0.01740        3        1",
                                                            "gauss-newton              –        0         "}));
   EXPECT_TRUE(table.lines(80, 2).empty()) << "no room";
   record.problem = "another plate";
