@@ -124,8 +124,6 @@ std::optional<BestOfAll> best_of(std::span<const TrialRecord* const> records) {
   return best;
 }
 
-constexpr std::size_t kCurvePoints = 40;  // more than a chart can show only make the page large
-
 template <class MakeCurve>
 OptimizerCurves curves_of(const std::string& optimizer, MakeCurve make) {
   OptimizerCurves curves{optimizer, {}};

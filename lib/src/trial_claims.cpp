@@ -8,6 +8,7 @@
 #include <cerrno>
 #include <optional>
 #include <string_view>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -63,9 +64,22 @@ std::optional<double> touched_at(const fs::path& file) {
   return static_cast<double>(status.st_mtim.tv_sec) + 1e-9 * static_cast<double>(status.st_mtim.tv_nsec);
 }
 
+// What claims leave behind, and nothing that somebody else has put there.
+bool is_of_claims(const fs::path& file) {
+  const std::string end = file.extension().string(), key = file.stem().string();
+  if (end == ".alive" || end == ".new" || end == ".stale" || end == ".part") return true;
+  constexpr std::size_t kKeyDigits = 32;
+  const bool numbered = end.size() > 1 && end.find_first_not_of("0123456789", 1) == std::string::npos;
+  return numbered && key.size() == kKeyDigits && key.find_first_not_of("0123456789abcdef") == std::string::npos;
+}
+
 void clear(const fs::path& folder) {
   std::error_code ignored;
-  fs::remove_all(folder, ignored);
+  std::vector<fs::path> files;
+  for (fs::directory_iterator entry(folder, ignored), end; !ignored && entry != end; entry.increment(ignored))
+    if (is_of_claims(entry->path())) files.push_back(entry->path());
+  for (const fs::path& file : files) fs::remove(file, ignored);
+  fs::remove(folder, ignored);  // stays where it isn't empty
 }
 
 }  // namespace

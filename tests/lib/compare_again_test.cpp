@@ -156,6 +156,17 @@ TEST(Compare, SharesItsTrialsWithAnotherOne) {
   EXPECT_FALSE(std::filesystem::exists(directory.path() / "claims")) << "whoever leaves last clears up";
 }
 
+TEST(Compare, TakesAwayNothingButItsClaims) {
+  const TemporaryDirectory directory;
+  const std::filesystem::path claims = directory.path() / "claims";
+  std::filesystem::create_directories(claims);
+  std::ofstream(claims / "of the insurance.txt") << "mine";
+  std::ofstream(claims / "gone.alive") << "";
+  (void)run(study_with(use("halving")), directory);
+  EXPECT_TRUE(std::filesystem::exists(claims / "of the insurance.txt"));
+  EXPECT_FALSE(std::filesystem::exists(claims / "gone.alive"));
+}
+
 // Somebody holds the store, and two claims stand there: one of a comparison that has left no sign of life, one of a
 // comparison that has not given any for too long.
 TEST(Compare, TakesOverWhatADeadComparisonHadClaimed) {

@@ -46,6 +46,7 @@ struct ConvergenceFigures {
   ByAxis<std::array<statistics::History, 3>> attained;
 };
 inline constexpr std::array<double, 3> kAttainedShares = {0.25, 0.5, 0.75};
+/// Of a curve: more than a chart can show only make a page large.
 inline constexpr std::size_t kCurvePoints = 40;
 
 struct ProblemConvergence {
