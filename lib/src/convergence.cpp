@@ -31,13 +31,7 @@ Trials trials_of(const Contest& contest, const std::string& optimizer) {
   return trials;
 }
 
-Trials trusted(const Trials& trials, Axis axis) {
-  if (axis != Axis::seconds) return trials;
-  Trials clean;
-  for (const TrialRecord* trial : trials)
-    if (contamination(*trial).empty()) clean.push_back(trial);
-  return clean.empty() ? trials : clean;
-}
+Trials counting(const Trials& trials, Axis axis) { return axis == Axis::seconds ? timed_trials(trials) : trials; }
 
 double longest_end(const Contest& contest, Axis axis) {
   double longest = 0.0;
@@ -104,7 +98,7 @@ TargetFigures target_figures(const Frame& frame, const Trials& trials, const Opt
   target.success = statistics::success_rate(row.target(gap).reached, row.target(gap).runs);
   for (const Axis axis : kAxes) {
     std::vector<statistics::RunLength> lengths;
-    for (const TrialRecord* trial : trusted(trials, axis))
+    for (const TrialRecord* trial : counting(trials, axis))
       lengths.push_back(length_of(*trial, frame.table.reference, gap, axis, frame.longest[at(axis)]));
     target.expected[at(axis)] = statistics::expected_running_time(lengths);
     if (const std::optional<double>& expected = target.expected[at(axis)])
@@ -121,7 +115,7 @@ void add_curves(const Frame& frame, const Trials& trials, Axis axis, Convergence
   const std::optional<statistics::AnytimeLimits>& limits = frame.found.limits[at(axis)];
   std::vector<statistics::History> histories;
   double areas = 0.0;
-  for (const TrialRecord* trial : trusted(trials, axis)) {
+  for (const TrialRecord* trial : counting(trials, axis)) {
     histories.push_back(quality_history(*trial, axis));
     if (limits && trial->start.quality)
       areas += statistics::area_over_convergence(

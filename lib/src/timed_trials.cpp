@@ -11,9 +11,13 @@ bool ran_alone(const TrialRecord& record) { return !record.conditions || record.
 bool ran_alone_undisturbed(const TrialRecord& record) { return ran_alone(record) && contamination(record).empty(); }
 
 std::vector<const TrialRecord*> timed_trials(std::span<const TrialRecord* const> trials) {
-  std::vector<const TrialRecord*> timed;
-  std::ranges::copy_if(trials, std::back_inserter(timed),
-                       [](const TrialRecord* trial) { return ran_alone_undisturbed(*trial); });
+  const auto that = [trials](auto is) {
+    std::vector<const TrialRecord*> found;
+    std::ranges::copy_if(trials, std::back_inserter(found), [is](const TrialRecord* trial) { return is(*trial); });
+    return found;
+  };
+  std::vector<const TrialRecord*> timed = that(ran_alone_undisturbed);
+  if (timed.empty()) timed = that([](const TrialRecord& trial) { return contamination(trial).empty(); });
   if (timed.empty()) timed.assign(trials.begin(), trials.end());
   return timed;
 }

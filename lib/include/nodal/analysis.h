@@ -47,8 +47,9 @@ struct Quartiles {
 /// No other trial of its comparison ran beside it; of a record that doesn't say, nobody knows better.
 [[nodiscard]] bool ran_alone(const TrialRecord& record);
 [[nodiscard]] bool ran_alone_undisturbed(const TrialRecord& record);  ///< … and has no `contamination`
-/// Those of an optimizer's trials whose seconds count: that ran alone and undisturbed, or all where none did.
-/// Everything that isn't seconds is of all trials.
+/// Those of an optimizer's trials whose seconds count, in tables, curves, expected times and verdicts alike: that ran
+/// alone and undisturbed; where none did, that were undisturbed; where none was, all. Everything that isn't seconds is
+/// of all trials.
 [[nodiscard]] std::vector<const TrialRecord*> timed_trials(std::span<const TrialRecord* const> trials);
 
 /// The problem of a table: what G is measured against.
@@ -86,7 +87,7 @@ struct OptimizerRow {
   bool deterministic = false;                        ///< the method: its repeats from one start measure time only
   std::size_t contaminated = 0;                      ///< trials whose times are not to be trusted: `contamination`
   std::size_t timed = 0;                             ///< trials that seconds come from: `timed_trials`
-  bool timed_alone = true;                           ///< false: none ran alone and undisturbed, seconds are of all
+  bool timed_alone = true;                           ///< false: none ran alone and undisturbed, seconds are of others
   std::optional<Quartiles> quality, relative_error;  ///< of the best points
   std::optional<Quartiles> data_quality;             ///< … without the prior's share (PointSummary)
   std::optional<Quartiles> at_bounds;                ///< coordinates of the best points that lie at a bound

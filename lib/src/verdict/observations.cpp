@@ -134,17 +134,15 @@ std::map<int, double> starts_of(const Contest& contest) {
 Observations observe(const Contest& contest, const RowRequest& optimizer, const Limit& limit,
                      const std::map<int, double>& starts, const Told& told) {
   Observations found;
-  std::vector<const TrialRecord*> clean, own;
-  for (const TrialRecord* trial : contest.trials) {
-    if (trial->optimizer != optimizer.label) continue;
-    own.push_back(trial);
-    if (clock_counts(*trial, limit) && !contamination(*trial).empty())
-      ++found.disturbed;
-    else
-      clean.push_back(trial);
-  }
-  found.only_disturbed = clean.empty() && !own.empty();
-  found.trials = clean.empty() ? own : clean;
+  std::vector<const TrialRecord*> by_clock;
+  for (const TrialRecord* trial : contest.trials)
+    if (trial->optimizer == optimizer.label) (clock_counts(*trial, limit) ? by_clock : found.trials).push_back(trial);
+  const auto disturbed = [](const TrialRecord* trial) { return !contamination(*trial).empty(); };
+  found.disturbed = static_cast<std::size_t>(std::ranges::count_if(by_clock, disturbed));
+  const std::vector<const TrialRecord*> timed = timed_trials(by_clock);
+  const bool only_disturbed = !timed.empty() && disturbed(timed.front());
+  found.only_disturbed = only_disturbed && found.trials.empty();
+  if (!only_disturbed || found.only_disturbed) found.trials.insert(found.trials.end(), timed.begin(), timed.end());
   for (const Group& group : Grouping(optimizer.deterministic, limit, starts).groups(found.trials)) {
     std::vector<double> qualities;
     int repeat = group.trials.front()->repeat;
