@@ -9,21 +9,26 @@ sources() { git ls-files '*.cpp' '*.h' '*.inl'; }
 
 public_headers() { git ls-files 'lib/include/*.h' 'problems/*/include/*.h' 'bench/include/*.h'; }
 
-# Includes every public header, and those of optimizers, which have no others: to judge one takes as long as to judge all.
-write_headers_source() {
+# Includes every public header, those of optimizers, which have no others, and the sources of the toolkit: most of the time
+# goes to the headers of others, so to judge one takes as long as to judge all.
+write_everything() {
   public_headers | sed 's|.*/include/\(.*\)|#include <\1>|'
-  git ls-files 'optimizers/*.h' | sed "s|.*|#include \"$PWD/&\"|"
+  git ls-files 'optimizers/*.h' 'lib/src/*.cpp' | sed "s|.*|#include \"$PWD/&\"|"
 }
 
 tidy() {
   build=$1
   cmake --build "$build" --target nodal_revision >&2 || return  # writes a header that lib includes
-  write_headers_source >"$build/headers.cpp"
+  write_everything >"$build/everything.cpp"
   folders=$(public_headers | sed 's|/include/.*|/include|' | sort -u | sed 's|^|-I|')
   # Eigen is where Debian has it; Ceres' headers include it.
-  clang-tidy-14 --quiet "$build/headers.cpp" -- -std=c++20 $folders -I/usr/include/eigen3 || return
-  # Of the flags of GCC some mean nothing to Clang.
-  git ls-files 'lib/src/*.cpp' | xargs -n 1 -P "$(nproc)" clang-tidy-14 --quiet --extra-arg=-Wno-unknown-warning-option -p "$build"
+  clang-tidy-14 --quiet --checks='-clang-analyzer-*' "$build/everything.cpp" -- -std=c++20 $folders -Ilib/src -Ilib \
+    -I"$build/lib/generated" -I/usr/include/eigen3 || return
+  # The analyzer follows the paths of one source. Its deep mode takes five times as long. Of the flags of GCC some mean
+  # nothing to Clang.
+  clang="--extra-arg=-Xclang --extra-arg"
+  git ls-files 'lib/src/*.cpp' | xargs -n 1 -P "$(nproc)" clang-tidy-14 --quiet --checks='-*,clang-analyzer-*' \
+    $clang=-analyzer-config $clang=mode=shallow --extra-arg=-Wno-unknown-warning-option -p "$build"
 }
 
 case "${1:-}" in

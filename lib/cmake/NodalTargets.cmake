@@ -14,6 +14,9 @@ function(nodal_set_defaults target)
   if(NODAL_SANITIZE)
     target_compile_options(${target} PRIVATE -fsanitize=${NODAL_SANITIZE} -fno-omit-frame-pointer
                                              -fno-sanitize-recover=undefined)
+    # What these two look for, calls and casts to a wrong type, the code has no occasion for; they cost a quarter of the
+    # time to compile.
+    target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:Clang>:-fno-sanitize=function,vptr>)
     target_link_options(${target} PUBLIC -fsanitize=${NODAL_SANITIZE})
   endif()
 endfunction()

@@ -202,6 +202,19 @@ TEST(Verdict, OneOptimizerIsFirstAndNothingIsNext) {
   EXPECT_FALSE(verdict.standings[0].median_interval.lower);
 }
 
+TEST(Verdict, TakesSecondsOfTheTrialsThatTablesTakeThemOf) {
+  Race race;
+  race.add_all("a", {2.0, 2.1, 9.0});
+  race.add_all("b", {4.0, 4.1, 4.2});
+  for (TrialRecord& record : race.records)
+    record.conditions = Conditions{"", "", record.optimizer == "a" && record.repeat == 2 ? 1 : 2, 2, false, false};
+  const Verdict by_time = judge(race.contest(), {Axis::seconds, 100.0});
+  EXPECT_EQ(standing(by_time, "a").trials, 1u);  // the one that ran alone
+  EXPECT_DOUBLE_EQ(*standing(by_time, "a").quality.median, 9.0);
+  EXPECT_EQ(standing(by_time, "b").trials, 3u);
+  EXPECT_EQ(standing(judge(race.contest(), {Axis::evaluations, 100.0}), "a").trials, 3u);
+}
+
 TEST(Verdict, DisturbedTimesDontCountAsLongAsThereAreOthers) {
   Race race;
   race.add_all("a", {2.0, 2.1, 9.0});
