@@ -4,6 +4,9 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
 #include <iostream>
 
 #include <fmt/format.h>
@@ -16,6 +19,8 @@
 #include "report/report.h"
 
 namespace nodal {
+
+namespace fs = std::filesystem;
 
 namespace {
 
@@ -40,6 +45,21 @@ void add_or_say(const Store& store, report::ReportData& data, Add add) {
   }
 }
 
+// Charts of an earlier report that this one doesn't have would stand beside its own as if they were new.
+void remove_former(const fs::path& folder, const std::vector<report::FigureFile>& figures) {
+  std::error_code none;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, none)) {
+    const std::string name = entry.path().filename().string();
+    if (entry.path().extension() != ".svg" ||
+        std::ranges::find(figures, name, &report::FigureFile::name) != figures.end())
+      continue;
+    std::string start(128, '\0');
+    std::ifstream file(entry.path(), std::ios::binary);
+    file.read(start.data(), static_cast<std::streamsize>(start.size()));
+    if (report::is_figure_file(start)) fs::remove(entry.path(), none);
+  }
+}
+
 }  // namespace
 
 void write_report(std::span<const Store> stores, const Registry& registry, Store& target, const ReportWishes& wishes) {
@@ -57,8 +77,9 @@ void write_report(std::span<const Store> stores, const Registry& registry, Store
     target.write_file("optimizers.csv", report::optimizers_csv(data));
     target.write_file("budgets.csv", report::budgets_csv(data));
     target.write_file("report.html", report::report_html(data));
-    for (const report::FigureFile& figure : report::figure_files(data))
-      target.write_file("figures/" + figure.name, figure.svg);
+    const std::vector<report::FigureFile> figures = report::figure_files(data);
+    for (const report::FigureFile& figure : figures) target.write_file("figures/" + figure.name, figure.svg);
+    remove_former(target.directory() / "figures", figures);
     if (!wishes.latex.empty()) replace_file(wishes.latex, report::latex_tables(data));
   } catch (const StoreError&) {
     print();

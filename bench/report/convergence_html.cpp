@@ -9,7 +9,11 @@
 #include <nodal/show/html.h>
 #include <nodal/show/number_text.h>
 
+#include "chart/figures_table.h"
+#include "convergence_charts.h"
+#include "folded_table.h"
 #include "page_parts.h"
+#include "race_chart.h"
 
 namespace nodal::report {
 
@@ -17,62 +21,39 @@ namespace {
 
 constexpr int kShownDigits = 3;
 
-using Row = std::vector<std::string>;
-
-// The first cell of every row names it.
-std::string table_of(const std::string& title, const Row& head, const std::vector<Row>& rows) {
-  std::string text = "<details><summary>" + escape_html(title) +
-                     "</summary>\n<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"" +
-                     escape_html(title) + "\"><table><thead><tr>";
-  for (std::size_t c = 0; c < head.size(); ++c)
-    text += fmt::format("<th scope=\"col\"{}>{}</th>", c == 0 ? " class=\"label\"" : "", escape_html(head[c]));
-  text += "</tr></thead><tbody>\n";
-  for (const Row& row : rows) {
-    text += "<tr><th scope=\"row\">" + escape_html(row.front()) + "</th>";
-    for (std::size_t c = 1; c < row.size(); ++c)
-      text += fmt::format("<td{}>{}</td>", row[c] == "never" ? " class=\"never\"" : "", escape_html(row[c]));
-    text += "</tr>\n";
-  }
-  return text + "</tbody></table></div></details>\n";
-}
-
-std::string share_text(double share) { return fmt::format("{:.2f}", share); }
-
-std::string axis_words(Axis axis) { return axis == Axis::seconds ? "time" : std::string(to_string(axis)); }
-
 std::string targets_table(const ProblemConvergence& problem, const std::string& title,
                           const std::function<std::string(const TargetFigures&)>& text) {
-  Row head = {"optimizer"};
+  TableRow head = {"optimizer"};
   for (const double gap : kTargetGaps)
     if (std::ranges::find(problem.refused, gap) == problem.refused.end()) head.push_back("to " + gap_text(gap));
-  std::vector<Row> rows;
+  std::vector<TableRow> rows;
   for (const ConvergenceFigures& figures : problem.optimizers) {
-    Row& row = rows.emplace_back(Row{figures.optimizer});
+    TableRow& row = rows.emplace_back(TableRow{figures.optimizer});
     for (const TargetFigures& target : figures.targets) row.push_back(text(target));
   }
-  return table_of(title, head, rows);
+  return folded_table(title, head, rows);
 }
 
 std::string areas_table(const ProblemConvergence& problem) {
-  Row head = {"optimizer"};
+  TableRow head = {"optimizer"};
   std::vector<Axis> axes;
   for (const Axis axis : {Axis::seconds, Axis::evaluations, Axis::work})
     if (const auto& limits = problem.limits[static_cast<std::size_t>(axis)]) {
       axes.push_back(axis);
-      head.push_back(fmt::format("{} {} to {}, gap {} to {}", axis_words(axis), cost_text(limits->from, axis),
+      head.push_back(fmt::format("{} {} to {}, gap {} to {}", axis_name(axis), cost_text(limits->from, axis),
                                  cost_text(limits->to, axis), gap_text(limits->largest),
                                  figure_text(limits->smallest, 1)));
     }
   if (axes.empty()) return {};
-  std::vector<Row> rows;
+  std::vector<TableRow> rows;
   for (const ConvergenceFigures& figures : problem.optimizers) {
-    Row& row = rows.emplace_back(Row{figures.optimizer});
+    TableRow& row = rows.emplace_back(TableRow{figures.optimizer});
     for (const Axis axis : axes) {
       const std::optional<double>& area = figures.area[static_cast<std::size_t>(axis)];
       row.push_back(area ? figure_text(*area, kShownDigits) : "–");
     }
   }
-  return table_of("Area over the convergence curve: 1 is at the smallest gap at once", head, rows);
+  return folded_table("Area over the convergence curve: 1 is at the smallest gap at once", head, rows);
 }
 
 std::string spread_text(const Standing& standing) {
@@ -87,17 +68,28 @@ std::string budgets_table(const ReportData& data, const ProblemReport& problem) 
   const auto of = std::ranges::find(answer.problems, problem.table.reference.label, &ProblemAnswer::problem);
   const std::vector<Verdict>& verdicts = of == answer.problems.end() ? answer.verdicts : of->verdicts;
   if (verdicts.empty() || verdicts.front().problems.size() != 1) return {};
-  Row head = {"optimizer"};
+  TableRow head = {"optimizer"};
   for (const Verdict& verdict : verdicts) head.push_back(limit_text(verdict.limit, answer.scope));
-  std::vector<Row> rows;
+  std::vector<TableRow> rows;
   for (const OptimizerRow& optimizer : problem.table.rows) {
-    Row& row = rows.emplace_back(Row{optimizer.label});
+    TableRow& row = rows.emplace_back(TableRow{optimizer.label});
     for (const Verdict& verdict : verdicts) {
       const auto here = std::ranges::find(verdict.standings, optimizer.label, &Standing::optimizer);
       row.push_back(here == verdict.standings.end() ? "–" : spread_text(*here));
     }
   }
-  return table_of(problem.raced_name() + " within a budget: median [quartiles]", head, rows);
+  return folded_table(problem.raced_name() + " within a budget: median [quartiles]", head, rows);
+}
+
+std::string attainment(const ReportData& data, std::size_t index) {
+  std::string text =
+      "<details class=\"attained\"><summary>Attained by a quarter, half and three quarters of the trials</summary>\n";
+  for (const Axis axis : {Axis::seconds, Axis::evaluations, Axis::work}) {
+    const LineChart chart = attainment_chart(data.problems[index], data.convergence[index], axis);
+    text += still_figure(chart, fmt::format("attained-{}-{}", index, to_string(axis)),
+                         folded_figures(figures_table(chart)));
+  }
+  return text + "</details>\n";
 }
 
 std::string problem_tables(const ReportData& data, std::size_t index) {
@@ -108,50 +100,10 @@ std::string problem_tables(const ReportData& data, std::size_t index) {
     text += "<p class=\"note\">" + escape_html(note) + "</p>\n";
   text += budgets_table(data, data.problems[index]);
   for (const Axis axis : {Axis::seconds, Axis::evaluations, Axis::work})
-    text += targets_table(problem, fmt::format("Expected {} to a gap [95 % interval]", axis_words(axis)),
+    text += targets_table(problem, fmt::format("Expected {} to a gap [95 % interval]", axis_name(axis)),
                           [axis](const TargetFigures& target) { return expected_text(target, axis); });
   text += targets_table(problem, "Success: distinct runs that reached a gap [Wilson's 95 % interval]", success_text);
-  return text + areas_table(problem);
-}
-
-std::string shares_table(const std::string& title, const std::vector<std::string>& names, const Row& places,
-                         const statistics::Matrix& shares) {
-  Row head = {"optimizer"};
-  head.insert(head.end(), places.begin(), places.end());
-  std::vector<Row> rows;
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    Row& row = rows.emplace_back(Row{names[i]});
-    for (const double share : shares[i]) row.push_back(share_text(share));
-  }
-  return table_of(title, head, rows);
-}
-
-statistics::Matrix reached_at(const Profiles& profiles) {
-  statistics::Matrix shares;
-  for (const std::vector<statistics::Step>& steps : profiles.reached) {
-    std::vector<double>& row = shares.emplace_back();
-    for (const double cost : profiles.costs) {
-      const auto later =
-          std::ranges::partition_point(steps, [cost](const statistics::Step& step) { return step.at <= cost; });
-      row.push_back(later == steps.begin() ? 0.0 : std::prev(later)->share);
-    }
-  }
-  return shares;
-}
-
-std::string profiles_tables(const Profiles& profiles) {
-  const std::string by = axis_words(profiles.axis);
-  Row costs, factors;
-  for (const double cost : profiles.costs) costs.push_back(cost_text(cost, profiles.axis));
-  for (const double factor : profiles.factors) factors.push_back(fmt::format("{:g}×", factor));
-  const std::string cases = fmt::format("{} targets of all problems", profiles.cases);
-  std::string text = shares_table(fmt::format("Data profile: share of {} whose expected {} is at most …", cases, by),
-                                  profiles.optimizers, costs, profiles.data);
-  text += shares_table(fmt::format("Performance profile: share of {} within a factor of the least {}", cases, by),
-                       profiles.optimizers, factors, profiles.performance);
-  if (!profiles.warning.empty()) text += "<p class=\"note\">" + escape_html(profiles.warning) + "</p>\n";
-  return text + shares_table(fmt::format("Run lengths: share of trials × targets reached within {} of …", by),
-                             profiles.optimizers, costs, reached_at(profiles));
+  return text + areas_table(problem) + attainment(data, index);
 }
 
 }  // namespace
@@ -189,7 +141,7 @@ std::string convergence_html(const ReportData& data) {
   std::string text = "<section class=\"convergence\">\n<h2>Budgets and targets in figures</h2>\n";
   for (std::size_t i = 0; i < data.convergence.size(); ++i) text += problem_tables(data, i);
   if (!data.profiles.empty()) text += "<h3>Over problems and targets</h3>\n";
-  for (const Profiles& profiles : data.profiles) text += profiles_tables(profiles);
+  for (const Profiles& profiles : data.profiles) text += profiles_html(profiles, data.problems);
   return text + "</section>\n";
 }
 

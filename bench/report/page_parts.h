@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "chart/line_chart.h"
 #include "report_data.h"
 
 namespace nodal::report {
@@ -21,8 +22,15 @@ namespace nodal::report {
 /// Which optimizer to take: the first section. Empty without an answer.
 [[nodiscard]] std::string answer_html(const ReportData& data);
 
-/// Budgets, targets, profiles as plain tables: what charts draw. Empty without figures.
+/// Tables of a chart's figures, which open by "Figures as a table".
+[[nodiscard]] std::string folded_figures(const std::string& tables);
+/// A chart without a script, its title above it, in a box that scrolls by itself, and its figures as a table below.
+[[nodiscard]] std::string still_figure(const LineChart& chart, const std::string& id, const std::string& table);
+
+/// Budgets, targets and profiles, as charts and tables. Empty without figures.
 [[nodiscard]] std::string convergence_html(const ReportData& data);
+/// Profiles over one axis, folded but for seconds.
+[[nodiscard]] std::string profiles_html(const Profiles& profiles, const std::vector<ProblemReport>& problems);
 /// Seconds or a count.
 [[nodiscard]] std::string cost_text(double cost, Axis axis);
 /// "12.3 ms [11 ms, 14 ms]", the interval where it has a width; "never".

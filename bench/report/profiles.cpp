@@ -79,6 +79,16 @@ std::vector<statistics::Step> thinned(const std::vector<statistics::Step>& steps
   return kept;
 }
 
+// Of an optimizer's column of costs: each over the least of its row, or as it is.
+std::vector<statistics::Step> steps_of(const statistics::Matrix& costs, std::size_t column, bool over_least) {
+  std::vector<statistics::RunLength> lengths;
+  for (const std::vector<double>& row : costs) {
+    const double unit = over_least ? std::ranges::min(row) : 1.0, cost = row[column];
+    lengths.push_back({cost < kNever ? std::optional(cost == unit ? 1.0 : cost / unit) : std::nullopt, 0.0});
+  }
+  return thinned(statistics::distribution(lengths));
+}
+
 std::vector<statistics::Step> reached_by(std::span<const ProblemConvergence> problems, const std::string& name,
                                          std::size_t axis) {
   std::vector<statistics::RunLength> lengths;
@@ -113,7 +123,11 @@ std::vector<Profiles> make_profiles(std::span<const ProblemConvergence> problems
     profiles.performance = statistics::performance_profile(costs, profiles.factors);
     profiles.data = statistics::data_profile(costs, profiles.costs);
     profiles.warning = warning_of(profiles.optimizers, costs);
-    for (const std::string& name : profiles.optimizers) profiles.reached.push_back(reached_by(problems, name, index));
+    for (std::size_t i = 0; i < profiles.optimizers.size(); ++i) {
+      profiles.data_steps.push_back(steps_of(costs, i, false));
+      profiles.performance_steps.push_back(steps_of(costs, i, true));
+      profiles.reached.push_back(reached_by(problems, profiles.optimizers[i], index));
+    }
     all.push_back(std::move(profiles));
   }
   return all;

@@ -31,9 +31,15 @@ std::string height_controls(const ProblemReport& problem, const std::string& id)
 }
 
 std::string tables_html(const ProblemReport& problem, Raced raced, const std::vector<Axis>& axes) {
-  std::string text = "<details class=\"figures\"><summary>Figures as a table</summary>\n";
-  for (const Axis axis : axes) text += figures_table(race_chart(problem, raced, axis));
-  return text + "</details>\n";
+  std::string tables;
+  for (const Axis axis : axes) tables += figures_table(race_chart(problem, raced, axis));
+  return folded_figures(tables);
+}
+
+// What a chart is without a script.
+std::string still_html(const LineChart& chart, const std::string& id) {
+  return fmt::format("<div class=\"still\" tabindex=\"0\" role=\"region\" aria-label=\"Chart: {}\">\n{}</div>\n",
+                     escape_html(chart.title), svg_chart(chart, id));
 }
 
 // The still picture is what is seen without a script, and printed; report.js puts its own chart in its place.
@@ -42,17 +48,25 @@ std::string figure_html(const ProblemReport& problem, Raced raced, const std::st
   const std::vector<Axis> axes = axes_of(problem);
   const LineChart still = race_chart(problem, raced, axes.front());
   return fmt::format(
-      "<figure class=\"race\" id=\"{0}\">\n<div class=\"controls\">{1}</div>\n<div class=\"still\" tabindex=\"0\" "
-      "role=\"region\" aria-label=\"Chart: {2}\">\n{3}</div>\n<div class=\"chart\" role=\"img\" "
+      "<figure class=\"race\" id=\"{0}\">\n<div class=\"controls\">{1}</div>\n{3}<div class=\"chart\" role=\"img\" "
       "aria-label=\"{2}\"></div>\n<div class=\"keys\" role=\"group\" aria-label=\"Optimizers shown\"></div>\n"
       "<figcaption>{4}<span class=\"scripted\"> Choose an optimizer below the chart to hide or show its "
       "line.</span></figcaption>\n<div class=\"save\"></div>\n{5}<script type=\"application/json\" "
       "class=\"race-data\">{6}</script>\n</figure>\n",
-      id, controls, escape_html(still.title), svg_chart(still, id + "-still"), escape_html(caption),
+      id, controls, escape_html(still.title), still_html(still, id + "-still"), escape_html(caption),
       tables_html(problem, raced, axes), escape_script(to_json(race_data(problem, raced))));
 }
 
 }  // namespace
+
+std::string folded_figures(const std::string& tables) {
+  return "<details class=\"figures\"><summary>Figures as a table</summary>\n" + tables + "</details>\n";
+}
+
+std::string still_figure(const LineChart& chart, const std::string& id, const std::string& table) {
+  return "<figure class=\"lone\">\n<figcaption>" + escape_html(chart.title) + "</figcaption>\n" +
+         still_html(chart, id) + table + "</figure>\n";
+}
 
 std::string chart_html(const ProblemReport& problem, std::size_t index) {
   if (problem.curves.empty()) return {};

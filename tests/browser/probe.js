@@ -60,7 +60,7 @@ function faint() {
 
 // Every chart has its figures as a table; every table its heads and its caption, or a name.
 function untold() {
-  const charts = all("figure.race").filter((f) => f.querySelectorAll("table.figures caption").length === 0
+  const charts = all("figure.race, figure.lone").filter((f) => f.querySelectorAll("table").length === 0
     || !f.querySelector(".still svg > title") || !f.querySelector(".still svg > desc"));
   const tables = all("table").filter((t) => !t.querySelector("thead th[scope=col]")
     || (nameOf(t.closest("[role=region]") ?? t) === "" && !t.caption));

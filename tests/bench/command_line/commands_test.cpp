@@ -116,6 +116,20 @@ TEST(Report, IsMadeAgainWithoutRunningAnything) {
   EXPECT_EQ(read_file(folder.path() / "store" / "report.html"), page);
 }
 
+TEST(Report, TakesAwayChartsThatItNoLongerHas) {
+  const Folder folder;
+  folder.write("quick.toml", kQuickStudy);
+  run(folder, {"compare", "quick.toml", "--out", "store"});
+  const std::filesystem::path figures = folder.path() / "store" / "figures";
+  const std::filesystem::path chart = std::filesystem::directory_iterator(figures)->path();
+  std::filesystem::copy_file(chart, figures / "former-error-time.svg");
+  folder.write("store/figures/mine.svg", "<svg xmlns=\"http://www.w3.org/2000/svg\"></svg>\n");
+  EXPECT_EQ(run(folder, {"report", "store"}).exit, 0);
+  EXPECT_TRUE(std::filesystem::exists(chart));
+  EXPECT_TRUE(std::filesystem::exists(figures / "mine.svg"));
+  EXPECT_FALSE(std::filesystem::exists(figures / "former-error-time.svg"));
+}
+
 TEST(Report, MergesSeveralStores) {
   const Folder folder;
   folder.write("quick.toml", kQuickStudy);

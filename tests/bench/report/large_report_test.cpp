@@ -110,8 +110,12 @@ TEST(LargeReport, HasFiguresOfItsOwnForEveryProblemAndAxis) {
     names.insert(file.name);
     EXPECT_LT(file.svg.size(), 100'000u);
   }
-  EXPECT_EQ(names.size(), static_cast<std::size_t>(kProblems * 2 * 4));  // errors and gaps over four axes
+  // Errors and gaps over four axes, what was attained over three, and three profiles over these.
+  EXPECT_EQ(names.size(), static_cast<std::size_t>(kProblems * (2 * 4 + 3) + 3 * 3));
   EXPECT_TRUE(names.contains("problem-0-error-time.svg"));
+  EXPECT_TRUE(names.contains("problem-0-attained-flops.svg"));
+  EXPECT_TRUE(names.contains("all-problems-run-lengths-evaluations.svg"));
+  EXPECT_TRUE(std::ranges::all_of(files, [](const FigureFile& file) { return is_figure_file(file.svg); }));
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <report/convergence_charts.h>
 #include <report/page_parts.h>
 #include <report/report.h>
 
@@ -51,6 +52,15 @@ TEST(Profiles, CountProblemsAndTargets) {
   EXPECT_TRUE(profiles.warning.empty());
   ASSERT_EQ(profiles.reached[1].size(), 2u);
   EXPECT_DOUBLE_EQ(profiles.reached[1].back().share, 2.0 / 3.0);
+  // As they are drawn: b costs 20 and 30, which is 1 and 3 times the least.
+  const std::vector<statistics::Step>&data = profiles.data_steps[1], &factors = profiles.performance_steps[1];
+  ASSERT_EQ(data.size(), 2u);
+  EXPECT_EQ(data[0].at, 20.0);
+  EXPECT_EQ(data[1].at, 30.0);
+  ASSERT_EQ(factors.size(), 2u);
+  EXPECT_EQ(factors[0].at, 1.0);
+  EXPECT_EQ(factors[1].at, 3.0);
+  EXPECT_DOUBLE_EQ(factors[1].share, 2.0 / 3.0);
 }
 
 // With all three a is within 1.5 of the best twice, b once; without c, whose times are tiny on one, it is the other
@@ -69,7 +79,7 @@ TEST(Profiles, OfNothingThereAreNone) {
   EXPECT_TRUE(make_profiles(never).empty());
 }
 
-TEST(Profiles, StandOnThePageAsTables) {
+TEST(Profiles, StandOnThePageAsChartsAndTables) {
   MadeStore made;
   for (const char* problem : {"p", "q"})
     for (int r = 0; r < 3; ++r) {
@@ -82,13 +92,33 @@ TEST(Profiles, StandOnThePageAsTables) {
   const std::string page = report_html(data);
   for (const char* part :
        {"<h2>Budgets and targets in figures</h2>",
-        "Data profile: share of 16 targets of all problems whose expected "
-        "time is at most …",
-        "Performance profile: share of 16 targets of all problems within a factor of the least "
+        "<figcaption>Data profile: share of 16 targets of all problems, by their expected time",
+        "<figcaption>Performance profile: share of 16 targets of all problems within a factor of the least "
         "evaluations",
-        "Run lengths: share of trials × targets reached within evaluations of …", "Area over the convergence curve",
+        "<figcaption>Run lengths: share of trials × targets reached, by evaluations", "The run lengths as a table",
+        "<figcaption>p: quality attained, against time", "id=\"run-lengths-evaluations-title\"", "Area over the convergence curve",
         "Expected time to a gap", "Wilson&#39;s 95 % interval", "<td>500 µs</td>", "<td>1 of 1 [0.21, 1.00]</td>"})
     EXPECT_NE(page.find(part), std::string::npos) << part;
+}
+
+// Of three trials one is never below 4: a quarter and half attain 1, three quarters don't.
+TEST(Profiles, AttainedIsDrawnBetweenAQuarterAndThreeQuarters) {
+  MadeStore made;
+  made.add("p", "a", 0, {{5, 4.0}, {10, 1.0}});
+  made.add("p", "a", 1, {{5, 4.0}, {20, 1.0}});
+  made.add("p", "a", 2, {{5, 4.0}});
+  std::vector<Store> stores;
+  stores.push_back(made.write());
+  const ReportData data = collect(stores, Registry());
+  const LineChart chart = attainment_chart(data.problems[0], data.convergence[0], Axis::evaluations);
+  ASSERT_EQ(chart.lines.size(), 1u);
+  const ChartLine& line = chart.lines[0];
+  EXPECT_TRUE(line.steps && line.band);
+  const auto at = [&](double evaluations) { return point_at(line, evaluations, chart.x, chart.y).value(); };
+  EXPECT_EQ(at(19.0).y, 4.0);
+  EXPECT_EQ(at(20.0).y, 1.0);
+  EXPECT_EQ(at(20.0).lower, 1.0);
+  EXPECT_EQ(at(20.0).upper, 4.0);
 }
 
 TEST(Convergence, RefusedTargetsAreNamedWithTheReason) {

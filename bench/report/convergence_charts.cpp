@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "convergence_charts.h"
+
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <nodal/show/number_text.h>
+
+#include "race_chart.h"
+
+namespace nodal::report {
+
+namespace {
+
+constexpr std::array<double, 2> kShares = {0.0, 1.0};
+constexpr double kSmallestShown = 1e-16, kLargestShown = 1e150;  // beyond, a figure is rounding, or none
+
+ChartLine line_named(const std::string& optimizer, const ProblemTable& table) {
+  const auto row = std::ranges::find(table.rows, optimizer, &OptimizerRow::label);
+  return {optimizer, line_place(table, optimizer), row != table.rows.end() && row->baseline};
+}
+
+std::optional<double> attained_at(const statistics::History& surface, double cost) {
+  const auto later =
+      std::ranges::partition_point(surface, [cost](const statistics::BestSoFar& point) { return point.cost <= cost; });
+  return later == surface.begin() ? std::nullopt : std::optional(std::prev(later)->quality);
+}
+
+// In words: who stands where at the end, the best first.
+std::string ends_of(const LineChart& chart, bool highest_first) {
+  std::vector<const ChartLine*> lines;
+  for (const ChartLine& line : chart.lines)
+    if (!line.points.empty()) lines.push_back(&line);
+  std::ranges::stable_sort(lines, [highest_first](const ChartLine* a, const ChartLine* b) {
+    const double first = a->points.back().y, second = b->points.back().y;
+    return highest_first ? first > second : first < second;
+  });
+  std::vector<std::string> texts;
+  for (const ChartLine* line : lines)
+    texts.push_back(fmt::format("{} {}", line->label, figure_text(line->points.back().y, 3)));
+  return fmt::format("At the end, {} first: {}.", highest_first ? "highest" : "lowest", fmt::join(texts, ", "));
+}
+
+LineChart share_chart(std::string title, std::string across, bool seconds, const Profiles& profiles,
+                      const std::vector<std::vector<statistics::Step>>& steps,
+                      const std::vector<ProblemReport>& problems) {
+  LineChart chart;
+  chart.title = std::move(title);
+  chart.x = {std::move(across), Scale::logarithmic, seconds};
+  chart.y = {"share", Scale::linear, false, kShares};
+  for (std::size_t i = 0; i < profiles.optimizers.size(); ++i) {
+    const std::string& name = profiles.optimizers[i];
+    const auto with = std::ranges::find_if(problems, [&](const ProblemReport& problem) {
+      return std::ranges::find(problem.table.rows, name, &OptimizerRow::label) != problem.table.rows.end();
+    });
+    ChartLine& line =
+        chart.lines.emplace_back(with == problems.end() ? ChartLine{name, i} : line_named(name, with->table));
+    line.steps = true;
+    for (const statistics::Step& step : steps[i]) line.points.push_back({step.at, step.share, step.share, step.share});
+  }
+  chart.description = ends_of(chart, true);
+  return chart;
+}
+
+}  // namespace
+
+LineChart attainment_chart(const ProblemReport& problem, const ProblemConvergence& convergence, Axis axis) {
+  const double factor = problem.error_per_quality.value_or(1.0);
+  const std::string up = height_title(problem, Raced::quality);
+  LineChart chart;
+  chart.title = fmt::format("{}: {} attained, against {}", convergence.problem, up, axis_name(axis));
+  chart.x = {std::string(axis_title(axis)), Scale::logarithmic, axis == Axis::seconds};
+  chart.y = {up, Scale::logarithmic};
+  chart.y.clamped_to = {kSmallestShown, kLargestShown};
+  for (const ConvergenceFigures& figures : convergence.optimizers) {
+    const auto& [quarter, half, most] = figures.attained[static_cast<std::size_t>(axis)];
+    ChartLine& line = chart.lines.emplace_back(line_named(figures.optimizer, problem.table));
+    line.steps = line.band = true;
+    for (const statistics::BestSoFar& point : half) {
+      const std::optional<double> lower = attained_at(quarter, point.cost), upper = attained_at(most, point.cost);
+      if (lower && upper) line.points.push_back({point.cost, factor * point.quality, factor * *lower, factor * *upper});
+    }
+  }
+  chart.description =
+      "Attained by half of the trials, with a band from a quarter to three quarters of them. " + ends_of(chart, false);
+  return chart;
+}
+
+ProfileCharts profile_charts(const Profiles& profiles, const std::vector<ProblemReport>& problems) {
+  const std::string by(axis_name(profiles.axis));
+  const std::string across(axis_title(profiles.axis));
+  const bool seconds = profiles.axis == Axis::seconds;
+  const std::string of = fmt::format("share of {} targets of all problems", profiles.cases);
+  return {share_chart(fmt::format("Data profile: {}, by their expected {}", of, by), across, seconds,
+                      profiles, profiles.data_steps, problems),
+          share_chart(fmt::format("Performance profile: {} within a factor of the least {}", of, by), "factor", false,
+                      profiles, profiles.performance_steps, problems),
+          share_chart(fmt::format("Run lengths: share of trials × targets reached, by {}", by), across, seconds,
+                      profiles, profiles.reached, problems)};
+}
+
+}  // namespace nodal::report
