@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <set>
 #include <stdexcept>
 #include <tuple>
@@ -13,14 +12,13 @@
 #include <nodal/agreement.h>
 #include <nodal/statistics/order.h>
 
+#include "axes.h"
 #include "known_quality.h"
+#include "never.h"
 
 namespace nodal {
 
 namespace {
-
-constexpr double kNever = std::numeric_limits<double>::infinity();
-constexpr std::array<Axis, 3> kAxes = {Axis::seconds, Axis::evaluations, Axis::work};
 
 // The median of values among which an empty one is "never"; empty when the median is never.
 std::optional<double> median_or_never(const std::vector<std::optional<double>>& values) {

@@ -3,20 +3,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include <fmt/format.h>
 
 #include <nodal/random.h>
 
+#include "axes.h"
 #include "known_quality.h"
+#include "never.h"
 
 namespace nodal {
 
 namespace {
 
-constexpr double kNever = std::numeric_limits<double>::infinity();
-constexpr std::array<Axis, 3> kAxes = {Axis::seconds, Axis::evaluations, Axis::work};
 constexpr double kLargestGap = 1.0, kSmallestGap = 1e-8;
 constexpr double kDecadesOfSeconds = 1e4;
 

@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const Value::List& list_of(const Value& table, std::string_view key) {
+const Value::List& list_at(const Value& table, std::string_view key) {
   static const Value::List none;
   const Value* value = table.find(key);
   return value && value->is_list() ? value->list() : none;
@@ -44,10 +44,10 @@ class Merging {
     directory_ = store.directory().string();
     add_study(manifest);
     for (const std::string& warning : store.warnings()) merged_.warnings.push_back(warning);
-    for (const Value& problem : list_of(manifest, "problems")) add_problem(problem);
-    for (const Value& optimizer : list_of(manifest, "optimizers")) add_optimizer(optimizer);
-    for (const Value& entry : list_of(manifest, "left_out")) left_out_.push_back(entry);
-    for (const Value& run : list_of(manifest, "runs")) runs_.push_back(run);
+    for (const Value& problem : list_at(manifest, "problems")) add_problem(problem);
+    for (const Value& optimizer : list_at(manifest, "optimizers")) add_optimizer(optimizer);
+    for (const Value& entry : list_at(manifest, "left_out")) left_out_.push_back(entry);
+    for (const Value& run : list_at(manifest, "runs")) runs_.push_back(run);
     add_records(store);
   }
 
@@ -132,7 +132,7 @@ class Merging {
   // A store without keys has lost its manifest: everything counts.
   void add_records(const Store& store) {
     std::unordered_set<std::string> wanted;
-    for (const Value& key : list_of(store.manifest(), "keys")) {
+    for (const Value& key : list_at(store.manifest(), "keys")) {
       wanted.insert(key.text());
       if (listed_.insert(key.text()).second) keys_.push_back(key);
     }

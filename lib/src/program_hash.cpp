@@ -23,7 +23,7 @@ namespace {
 
 constexpr std::uintmax_t kLargestProgram = std::uintmax_t{1} << 32;
 
-std::string hash_of(const fs::path& file) {
+std::string file_hash(const fs::path& file) {
   try {
     return fmt::format("{:016x}", hash64(read_file(file, "", kLargestProgram)));
   } catch (const InputError&) {
@@ -50,9 +50,9 @@ Value make_hashes() {
   ::dl_iterate_phdr(note_object, &paths);
   std::ranges::sort(paths);
   Value objects;
-  for (const std::string& path : paths) objects.set(path, hash_of(path));
+  for (const std::string& path : paths) objects.set(path, file_hash(path));
   Value result;
-  result.set("executable", hash_of("/proc/self/exe"));
+  result.set("executable", file_hash("/proc/self/exe"));
   result.set("objects", objects);
   return result;
 }

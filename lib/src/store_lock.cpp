@@ -12,8 +12,8 @@ namespace nodal {
 namespace {
 
 // Bytes of the file that locks are put on; it needs no content for that.
-constexpr off_t kWriters = 0;
-constexpr off_t kManifest = 1;
+constexpr off_t kWritersByte = 0;
+constexpr off_t kManifestByte = 1;
 constexpr int kMostTries = 100;  // 1 s
 
 struct flock lock_on(off_t byte, int type) {
@@ -26,7 +26,7 @@ struct flock lock_on(off_t byte, int type) {
 }
 
 // False when another process holds it; where there are no locks, nobody does.
-bool set(int descriptor, off_t byte, int type) noexcept {
+bool set_lock(int descriptor, off_t byte, int type) noexcept {
   struct flock lock = lock_on(byte, type);
   return descriptor < 0 || ::fcntl(descriptor, F_SETLK, &lock) == 0 || (errno != EACCES && errno != EAGAIN);
 }
@@ -39,7 +39,7 @@ StoreLock::StoreLock(const std::filesystem::path& directory)
     trouble_ = std::strerror(errno);
     return;
   }
-  struct flock lock = lock_on(kWriters, F_RDLCK);
+  struct flock lock = lock_on(kWritersByte, F_RDLCK);
   if (::fcntl(descriptor_, F_SETLK, &lock) != 0 && errno != EACCES && errno != EAGAIN) trouble_ = std::strerror(errno);
 }
 
@@ -48,16 +48,17 @@ StoreLock::~StoreLock() {
 }
 
 std::optional<int> StoreLock::other_writer() const noexcept {
-  struct flock lock = lock_on(kWriters, F_WRLCK);
+  struct flock lock = lock_on(kWritersByte, F_WRLCK);
   if (descriptor_ < 0 || ::fcntl(descriptor_, F_GETLK, &lock) != 0 || lock.l_type == F_UNLCK) return std::nullopt;
   return static_cast<int>(lock.l_pid);
 }
 
 // Whoever holds it for longer was stopped in the middle; its manifest is whole, as that is replaced at once.
 StoreLock::Alone::Alone(const StoreLock& lock) noexcept : lock_(lock) {
-  for (int tries = 0; tries < kMostTries && !set(lock_.descriptor_, kManifest, F_WRLCK); ++tries) ::usleep(10000);
+  for (int tries = 0; tries < kMostTries && !set_lock(lock_.descriptor_, kManifestByte, F_WRLCK); ++tries)
+    ::usleep(10000);
 }
 
-StoreLock::Alone::~Alone() { set(lock_.descriptor_, kManifest, F_UNLCK); }
+StoreLock::Alone::~Alone() { set_lock(lock_.descriptor_, kManifestByte, F_UNLCK); }
 
 }  // namespace nodal

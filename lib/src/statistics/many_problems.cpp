@@ -3,18 +3,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 
 #include <boost/math/distributions/chi_squared.hpp>
 
 #include <nodal/statistics/order.h>
 
+#include "../never.h"
+
 namespace nodal::statistics {
 
 namespace {
-
-constexpr double kNever = std::numeric_limits<double>::infinity();
 
 std::size_t methods_of(const Matrix& values) {
   const std::size_t methods = values.empty() ? 0 : values.front().size();

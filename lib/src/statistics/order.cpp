@@ -4,15 +4,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <numeric>
 #include <stdexcept>
+
+#include "../never.h"
 
 namespace nodal::statistics {
 
 namespace {
-
-constexpr double kNever = std::numeric_limits<double>::infinity();
 
 void require_order(std::span<const double> values) {
   if (std::ranges::any_of(values, [](double v) { return std::isnan(v); }))

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 
 #include <boost/math/distributions/normal.hpp>
@@ -11,11 +10,11 @@
 #include <nodal/random.h>
 #include <nodal/statistics/order.h>
 
+#include "../never.h"
+
 namespace nodal::statistics {
 
 namespace {
-
-constexpr double kNever = std::numeric_limits<double>::infinity();
 
 // What a list of trials adds up to.
 struct Sums {

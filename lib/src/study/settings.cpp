@@ -111,7 +111,7 @@ void set(Value& table, const Setting& setting) {
 }
 
 // What an entry is called before anybody looks at it.
-std::string name_of(const Value& entry) {
+std::string entry_name(const Value& entry) {
   for (const char* key : {"label", "kind", "use"})
     if (std::string name = entry.is_table() ? entry.text_or(key, "") : ""; !name.empty()) return name;
   return {};
@@ -137,7 +137,7 @@ void apply(Value& root, const Setting& setting, Changed& changed) {
   std::vector<std::string> names;
   bool any = false;
   for (std::size_t i = 0; i < entries.size(); ++i) {
-    names.push_back(name_of(*entries[i]));
+    names.push_back(entry_name(*entries[i]));
     if (!setting.label.empty() && names.back() != setting.label) continue;
     set(*entries[i], setting);
     any = true;

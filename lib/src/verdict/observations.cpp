@@ -3,19 +3,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <set>
 
 #include <nodal/show/number_text.h>
 #include <nodal/statistics/order.h>
 
 #include "../known_quality.h"
+#include "../never.h"
 
 namespace nodal::verdict {
 
 namespace {
 
-constexpr double kNever = std::numeric_limits<double>::infinity();
 constexpr double kSmallestGap = 1e-9;  // below it two qualities are one
 
 // The points of a trace within the limit.

@@ -3,13 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <tuple>
 
 #include <nodal/statistics/many_problems.h>
 #include <nodal/statistics/order.h>
 
+#include "../never.h"
 #include "observations.h"
 #include "pair_tests.h"
 
@@ -17,7 +17,6 @@ namespace nodal {
 
 namespace {
 
-constexpr double kNever = std::numeric_limits<double>::infinity();
 constexpr double kTwofold = 2.0;
 
 std::optional<double> finite(double value) { return std::isfinite(value) ? std::optional(value) : std::nullopt; }
