@@ -135,7 +135,7 @@ bool prune_and_refit(const FitArguments& arguments, Study study, std::size_t pro
   return record.end != End::failed;
 }
 
-void say(const std::vector<std::string>& notes) {
+void say_notes(const std::vector<std::string>& notes) {
   for (const std::string& note : notes) std::cerr << fmt::format("note: {}\n", note);
 }
 
@@ -143,7 +143,7 @@ void say(const std::vector<std::string>& notes) {
 void say_plan(const StudyProblem& entry, const FitMethod& method, const std::string& budget, const Exhibit& exhibit) {
   std::cerr << fmt::format("{} ({} coordinate{}) with {}: {}; {}\n", entry.label, entry.problem->space().size(),
                            entry.problem->space().size() == 1 ? "" : "s", method.optimizer.label, method.why, budget);
-  say(exhibit.notes());
+  say_notes(exhibit.notes());
 }
 
 FitMethod method_of(const FitArguments& arguments, const Problem& problem, const Study& study,
@@ -174,7 +174,7 @@ int fit_command(const FitArguments& arguments, const Registry& registry) {
   say_result(record, entry, registry, study.budget.validated);
   if (!record.best) return kExitTrialFailed;
   FittedSystem fitted{entry.problem, exhibit->values(record.best->x), "fitted by " + method.optimizer.label};
-  say(exhibit->notes_at(fitted.values));
+  say_notes(exhibit->notes_at(fitted.values));
   const bool refitted = !arguments.prune || prune_and_refit(arguments, study, index, registry, fitted);
   write_fitted(arguments, fitted.exhibit()->write(format, fitted.values));
   const bool drawn = arguments.picture.empty() || write_picture(arguments, entry.label, fitted);

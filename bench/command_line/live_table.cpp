@@ -8,11 +8,12 @@
 #include <nodal/show/number_text.h>
 #include <nodal/shown.h>
 
+#include "report/table_notes.h"
+
 namespace nodal {
 
 namespace {
 
-constexpr int kDigits = 4;
 constexpr std::size_t kFigures = 34;  // columns after the label
 
 }  // namespace
@@ -51,7 +52,7 @@ std::vector<std::string> LiveTable::lines(std::size_t width, std::size_t height)
   for (const Row& row : rows_) {
     const auto found = row.by_problem.find(problem_);
     const Best best = found == row.by_problem.end() ? Best() : found->second;
-    lines.push_back(line(printable(row.optimizer), best.found ? figure_text(best.error, kDigits) : "–",
+    lines.push_back(line(printable(row.optimizer), best.found ? figure_text(best.error, report::kDigits) : "–",
                          std::to_string(best.trials), best.failed > 0 ? std::to_string(best.failed) : ""));
   }
   return lines;

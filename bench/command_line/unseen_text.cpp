@@ -7,19 +7,19 @@
 #include <nodal/exhibit.h>
 #include <nodal/show/number_text.h>
 
+#include "report/table_notes.h"
+
 namespace nodal {
 
 namespace {
-
-constexpr int kDigits = 4;
 
 // Relative errors go with qualities, but for a prior's share.
 std::string fitted_text(const TrialRecord& record) {
   const double quality = record.unseen->stop->fitted_quality;
   const PointSummary& chosen = record.best->summary;
   if (chosen.relative_error && chosen.quality && *chosen.quality > 0.0 && !chosen.data_quality)
-    return "relative error " + figure_text(*chosen.relative_error * quality / *chosen.quality, kDigits);
-  return "quality " + figure_text(quality, kDigits);
+    return "relative error " + figure_text(*chosen.relative_error * quality / *chosen.quality, report::kDigits);
+  return "quality " + figure_text(quality, report::kDigits);
 }
 
 std::string stop_text(const TrialRecord& record) {
@@ -41,10 +41,11 @@ std::string missing_text(const UnseenRecord& unseen, bool validated) {
 std::string error_text(const UnseenRecord& unseen, const UnseenPoint& point) {
   std::vector<std::string> each;
   for (std::size_t i = 0; i < unseen.names.size(); ++i)
-    if (unseen.reports(i)) each.push_back(unseen.names[i] + " " + figure_text(point.errors[i], kDigits));
+    if (unseen.reports(i)) each.push_back(unseen.names[i] + " " + figure_text(point.errors[i], report::kDigits));
   const UnseenPoint* start = unseen.at(0);
-  return fmt::format("unseen error {}{}; of what was never fitted: {}", figure_text(unseen.error(point), kDigits),
-                     start ? fmt::format(" (at the start {})", figure_text(unseen.error(*start), kDigits)) : "",
+  return fmt::format("unseen error {}{}; of what was never fitted: {}",
+                     figure_text(unseen.error(point), report::kDigits),
+                     start ? fmt::format(" (at the start {})", figure_text(unseen.error(*start), report::kDigits)) : "",
                      fmt::join(each, ", "));
 }
 

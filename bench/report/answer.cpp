@@ -10,6 +10,8 @@
 #include <nodal/show/number_text.h>
 #include <nodal/study.h>
 
+#include "counted.h"
+
 namespace nodal::report {
 
 namespace {
@@ -51,10 +53,6 @@ std::string interval_text(const statistics::Interval& interval) {
   return fmt::format(" [{}, {}]", fixed(*interval.lower), interval.upper ? fixed(*interval.upper) : "never");
 }
 
-std::string count_of(std::size_t n, const char* one, const char* many) {
-  return fmt::format("{} {}", n, n == 1 ? one : many);
-}
-
 // How sure a pair is.
 std::string certainty(const Standing& standing) {
   if (standing.relation == Relation::untested)
@@ -76,7 +74,7 @@ std::string value_text(const Verdict& verdict, const Standing& standing, const s
                        verdict.problems.size());
   std::string text = name + " " + (standing.quality.median ? fixed(*standing.quality.median) : "never");
   text += interval_text(standing.median_interval);
-  return text + ", " + count_of(standing.observations, "observation", "observations");
+  return text + ", " + counted(standing.observations, "observation", "observations");
 }
 
 std::string next_value(const Verdict& verdict, const Standing& standing) {
@@ -232,7 +230,7 @@ std::vector<AnswerRow> answer_rows(std::span<const Verdict> verdicts, const Scop
 std::vector<std::string> scope_lines(const Answer& answer) {
   std::vector<std::string> parts;
   const std::vector<std::string>& problems = answer.verdicts.front().problems;
-  parts.push_back(count_of(problems.size(), "problem", "problems") +
+  parts.push_back(counted(problems.size(), "problem", "problems") +
                   (problems.empty() ? "" : fmt::format(" ({})", fmt::join(problems, ", "))));
   for (const std::string& text : {observations_text(answer), budget_text(answer.scope),
                                   fmt::format("{}", fmt::join(answer.scope.processors, "; "))})

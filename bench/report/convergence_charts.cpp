@@ -94,8 +94,8 @@ ProfileCharts profile_charts(const Profiles& profiles, const std::vector<Problem
   const std::string across(axis_title(profiles.axis));
   const bool seconds = profiles.axis == Axis::seconds;
   const std::string of = fmt::format("share of {} targets of all problems", profiles.cases);
-  return {share_chart(fmt::format("Data profile: {}, by their expected {}", of, by), across, seconds,
-                      profiles, profiles.data_steps, problems),
+  return {share_chart(fmt::format("Data profile: {}, by their expected {}", of, by), across, seconds, profiles,
+                      profiles.data_steps, problems),
           share_chart(fmt::format("Performance profile: {} within a factor of the least {}", of, by), "factor", false,
                       profiles, profiles.performance_steps, problems),
           share_chart(fmt::format("Run lengths: share of trials × targets reached, by {}", by), across, seconds,

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
-#include <array>
 #include <functional>
 
 #include <fmt/format.h>
@@ -9,6 +8,7 @@
 #include <nodal/show/html.h>
 #include <nodal/show/number_text.h>
 
+#include "axes.h"
 #include "chart/figures_table.h"
 #include "convergence_charts.h"
 #include "folded_table.h"
@@ -37,7 +37,7 @@ std::string targets_table(const ProblemConvergence& problem, const std::string& 
 std::string areas_table(const ProblemConvergence& problem) {
   TableRow head = {"optimizer"};
   std::vector<Axis> axes;
-  for (const Axis axis : {Axis::seconds, Axis::evaluations, Axis::work})
+  for (const Axis axis : kAxes)
     if (const auto& limits = problem.limits[static_cast<std::size_t>(axis)]) {
       axes.push_back(axis);
       head.push_back(fmt::format("{} {} to {}, gap {} to {}", axis_name(axis), cost_text(limits->from, axis),
@@ -84,7 +84,7 @@ std::string budgets_table(const ReportData& data, const ProblemReport& problem) 
 std::string attainment(const ReportData& data, std::size_t index) {
   std::string text =
       "<details class=\"attained\"><summary>Attained by a quarter, half and three quarters of the trials</summary>\n";
-  for (const Axis axis : {Axis::seconds, Axis::evaluations, Axis::work}) {
+  for (const Axis axis : kAxes) {
     const LineChart chart = attainment_chart(data.problems[index], data.convergence[index], axis);
     text += still_figure(chart, fmt::format("attained-{}-{}", index, to_string(axis)),
                          folded_figures(figures_table(chart)));
@@ -99,7 +99,7 @@ std::string problem_tables(const ReportData& data, std::size_t index) {
   if (const std::string note = refused_text(problem); !note.empty())
     text += "<p class=\"note\">" + escape_html(note) + "</p>\n";
   text += budgets_table(data, data.problems[index]);
-  for (const Axis axis : {Axis::seconds, Axis::evaluations, Axis::work})
+  for (const Axis axis : kAxes)
     text += targets_table(problem, fmt::format("Expected {} to a gap [95 % interval]", axis_name(axis)),
                           [axis](const TargetFigures& target) { return expected_text(target, axis); });
   text += targets_table(problem, "Success: distinct runs that reached a gap [Wilson's 95 % interval]", success_text);

@@ -15,7 +15,7 @@ namespace {
 
 // A local method from sampled starts may end in hundreds.
 constexpr std::size_t kMostShown = 12;
-constexpr int kQualityDigits = 7, kWidthDigits = 2;
+constexpr int kMinimumDigits = 7, kWidthDigits = 2;
 
 TrialCounts count(const std::vector<const TrialRecord*>& trials) {
   TrialCounts counts;
@@ -77,7 +77,7 @@ std::string ends_html(const Ends& ends, const std::string& quality_name) {
   std::string rows;
   const std::span<const EndsAtMinimum> all = ends.minima;
   for (const EndsAtMinimum& minimum : all.first(std::min(all.size(), kMostShown)))
-    rows += row(fmt::format("{} = {}", escape_html(quality_name), figure_text(minimum.quality, kQualityDigits)),
+    rows += row(fmt::format("{} = {}", escape_html(quality_name), figure_text(minimum.quality, kMinimumDigits)),
                 figure_text(minimum.width, kWidthDigits), minimum.trials);
   if (all.size() > kMostShown)
     rows += row(fmt::format("{} worse minima", all.size() - kMostShown), "", joined(all.subspan(kMostShown)));

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "axes.h"
 #include "chart/svg_chart.h"
 #include "convergence_charts.h"
 #include "race_chart.h"
@@ -36,7 +37,7 @@ void add(const ProblemReport& problem, Raced raced, const std::string& stem, std
 
 void add(const ProblemReport& problem, const ProblemConvergence& convergence, const std::string& stem,
          std::vector<FigureFile>& files) {
-  for (const Axis axis : {Axis::seconds, Axis::evaluations, Axis::work})
+  for (const Axis axis : kAxes)
     files.push_back({fmt::format("{}-attained-{}.svg", stem, axis_name(axis)),
                      svg_chart_file(attainment_chart(problem, convergence, axis))});
 }

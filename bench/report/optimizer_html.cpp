@@ -16,9 +16,9 @@ namespace nodal::report {
 
 namespace {
 
-std::string value_text(const Value& value) { return value.is_text() ? value.text() : to_json(value); }
+std::string option_text(const Value& value) { return value.is_text() ? value.text() : to_json(value); }
 
-std::string optional_text(const std::optional<Value>& value) { return value ? escape_html(value_text(*value)) : "–"; }
+std::string optional_text(const std::optional<Value>& value) { return value ? escape_html(option_text(*value)) : "–"; }
 
 std::string scroll(const std::string& label, const std::string& table) {
   return fmt::format("<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"{}\">{}</div>\n",

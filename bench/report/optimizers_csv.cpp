@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
-#include <array>
 
 #include <fmt/format.h>
 
+#include "axes.h"
 #include "csv_cells.h"
 #include "report.h"
 
@@ -14,8 +14,6 @@ namespace {
 using csv::Cells;
 using csv::exact;
 using csv::quoted;
-
-constexpr std::array<Axis, 3> kAxes = {Axis::seconds, Axis::evaluations, Axis::work};
 
 void add_quartiles(std::vector<std::string>& cells, const std::optional<Quartiles>& q) {
   cells.push_back(q ? exact(q->lower) : "");

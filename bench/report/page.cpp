@@ -7,6 +7,7 @@
 #include <nodal/show/number_text.h>
 
 #include "chart/line_styles.h"
+#include "counted.h"
 #include "page_parts.h"
 #include "report.h"
 #include "table.h"
@@ -17,10 +18,6 @@ namespace {
 
 std::string paragraph(const std::string& text) { return "<p>" + escape_html(text) + "</p>\n"; }
 
-std::string count_of(std::size_t n, const char* one, const char* many) {
-  return fmt::format("{} {}", n, n == 1 ? one : many);
-}
-
 std::string headline(const ReportData& data) {
   std::size_t trials = 0, optimizers = 0;
   for (const ProblemReport& problem : data.problems) {
@@ -29,8 +26,8 @@ std::string headline(const ReportData& data) {
   }
   return fmt::format("<h1>{}</h1>\n<p>{} on {}, {}. Which gets how close, how fast?</p>\n",
                      escape_html(data.study_name.empty() ? "Comparison" : data.study_name),
-                     count_of(optimizers, "optimizer", "optimizers"),
-                     count_of(data.problems.size(), "problem", "problems"), count_of(trials, "trial", "trials"));
+                     counted(optimizers, "optimizer", "optimizers"),
+                     counted(data.problems.size(), "problem", "problems"), counted(trials, "trial", "trials"));
 }
 
 std::string warnings_html(const ReportData& data) {

@@ -3,17 +3,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include <fmt/format.h>
 
 #include <nodal/show/number_text.h>
 
+#include "axes.h"
+#include "never.h"
+
 namespace nodal::report {
 
 namespace {
 
-constexpr double kNever = std::numeric_limits<double>::infinity();
 constexpr std::array<double, 9> kFactors = {1, 1.5, 2, 3, 5, 10, 30, 100, 1000};
 
 std::vector<std::string> names_of(std::span<const ProblemConvergence> problems) {
@@ -109,7 +110,7 @@ bool same_everywhere(std::span<const ProblemConvergence> problems, Axis a, Axis 
 
 std::vector<Profiles> make_profiles(std::span<const ProblemConvergence> problems) {
   std::vector<Profiles> all;
-  for (const Axis axis : {Axis::seconds, Axis::evaluations, Axis::work}) {
+  for (const Axis axis : kAxes) {
     if (axis == Axis::work && same_everywhere(problems, Axis::evaluations, Axis::work)) continue;
     const auto index = static_cast<std::size_t>(axis);
     Profiles profiles;

@@ -15,8 +15,8 @@ namespace {
 
 constexpr double kSmallestGap = 1e-9;     // below, a gap is rounding
 constexpr double kSmallestError = 1e-16;  // likewise
-constexpr double kLargest = 1e150;        // beyond, the room about a curve overflows
-constexpr int kDigits = 4;
+constexpr double kLargestHeight = 1e150;  // beyond, the room about a curve overflows
+constexpr int kRuleDigits = 4;
 
 const std::vector<OptimizerCurves>& curves_of(const ProblemReport& problem, Raced raced) {
   return raced == Raced::unseen ? problem.unseen_curves : problem.curves;
@@ -66,7 +66,7 @@ std::optional<ChartRule> best_known(const ProblemReport& problem, Raced raced, c
   const double at = height.of(reference.best_quality);
   if (raced != Raced::quality || !(at > 0.0)) return std::nullopt;
   return ChartRule{at, fmt::format("{}: {}", reference.provisional ? "best of these trials" : "best known",
-                                   figure_text(at, kDigits))};
+                                   figure_text(at, kRuleDigits))};
 }
 
 // In words: who stands where at the end, the best first.
@@ -132,7 +132,7 @@ LineChart race_chart(const ProblemReport& problem, Raced raced, Axis axis) {
   chart.title = fmt::format("{}: {} against {}", problem.table.reference.label, up, axis_name(axis));
   chart.x = {std::string(axis_title(axis)), Scale::logarithmic, axis == Axis::seconds};
   chart.y = {up, Scale::logarithmic};
-  chart.y.clamped_to = {raced == Raced::gap ? kSmallestGap : kSmallestError, kLargest};
+  chart.y.clamped_to = {raced == Raced::gap ? kSmallestGap : kSmallestError, kLargestHeight};
   for (const OptimizerCurves& curves : curves_of(problem, raced))
     chart.lines.push_back(line_of(curves, problem.table, axis, height));
   chart.rule = best_known(problem, raced, height);

@@ -15,12 +15,10 @@ namespace {
 // remains of them.
 constexpr int kPositionDigits = 5, kQualityDigits = 12, kErrorDigits = 5;
 
-// What lies beyond was never measured, and powers of it overflow on the way to an axis.
-constexpr double kLargest = 1e100;
-bool sane(double value) { return std::abs(value) <= kLargest; }
+bool sane(double value) { return std::abs(value) <= kLargestDrawn; }
 
 bool can_be_drawn(const CurvePoint& p) {
-  return sane(p.position) && p.position >= 1.0 / kLargest && sane(p.quality.lower) && sane(p.quality.median) &&
+  return sane(p.position) && p.position >= 1.0 / kLargestDrawn && sane(p.quality.lower) && sane(p.quality.median) &&
          sane(p.quality.upper);
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
-#include <array>
 
+#include "axes.h"
 #include "csv_cells.h"
 #include "report.h"
 
@@ -11,8 +11,6 @@ namespace {
 
 using csv::Cells;
 using csv::exact;
-
-constexpr std::array<Axis, 3> kAxes = {Axis::seconds, Axis::evaluations, Axis::work};
 
 Cells header() {
   Cells names = {"problem",

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <functional>
-#include <limits>
 #include <tuple>
 
 #include <fmt/format.h>
@@ -13,6 +12,7 @@
 #include <nodal/show/number_text.h>
 #include <nodal/unseen.h>
 
+#include "never.h"
 #include "table_notes.h"
 
 namespace nodal::report {
@@ -20,7 +20,6 @@ namespace nodal::report {
 namespace {
 
 constexpr std::array<double, 3> kShownGaps = {1e-1, 1e-2, 1e-3};
-constexpr double kNever = std::numeric_limits<double>::infinity();
 constexpr auto kSeconds = static_cast<std::size_t>(Axis::seconds);
 
 // A column and how a row fills it.

@@ -9,11 +9,9 @@ namespace nodal::report {
 
 namespace {
 
-// What lies beyond was never measured, and powers of it overflow on the way to an axis.
-constexpr double kLargest = 1e100;
-
 bool has_place(double value, const ChartAxis& axis) {
-  return std::abs(value) <= kLargest && (axis.scale == Scale::linear || axis.clamped_to || value >= 1.0 / kLargest);
+  return std::abs(value) <= kLargestDrawn &&
+         (axis.scale == Scale::linear || axis.clamped_to || value >= 1.0 / kLargestDrawn);
 }
 
 double clamped(double value, const ChartAxis& axis) {

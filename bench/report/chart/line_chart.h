@@ -15,6 +15,9 @@ namespace nodal::report {
 /// More than a picture can show; of longer lines evenly many points are drawn, the first and the last always.
 inline constexpr std::size_t kMostChartPoints = 40;
 
+/// What lies beyond was never measured, and powers of it overflow on the way to an axis.
+inline constexpr double kLargestDrawn = 1e100;
+
 enum class Scale { linear, logarithmic };
 
 struct ChartAxis {

@@ -87,7 +87,8 @@ double bare_value_seconds(const elastic::ElasticProblem& problem, const std::vec
   return seconds / static_cast<double>(points.size());
 }
 
-void compare(benchmark::State& state, std::shared_ptr<const elastic::ElasticProblem> problem, std::int64_t limit) {
+void measure_speedup(benchmark::State& state, std::shared_ptr<const elastic::ElasticProblem> problem,
+                     std::int64_t limit) {
   without_threads();
   std::vector<double> runs;
   RunOfSteps run;
@@ -115,12 +116,12 @@ void compare(benchmark::State& state, std::shared_ptr<const elastic::ElasticProb
 std::size_t nodes(const benchmark::State& state) { return static_cast<std::size_t>(state.range(0)); }
 
 constexpr std::int64_t kAll = std::numeric_limits<std::int64_t>::max();
-void annealing_speedup(benchmark::State& state) { compare(state, make_plate(nodes(state)), kAll); }
-void annealing_hot(benchmark::State& state) { compare(state, make_plate(nodes(state)), 20000); }
+void annealing_speedup(benchmark::State& state) { measure_speedup(state, make_plate(nodes(state)), kAll); }
+void annealing_hot(benchmark::State& state) { measure_speedup(state, make_plate(nodes(state)), 20000); }
 void annealing_speedup_in_space(benchmark::State& state) {
   if (nodes(state) > 300 && std::getenv("NODAL_LONG_BENCHMARKS") == nullptr)
     return state.SkipWithError("takes long: set NODAL_LONG_BENCHMARKS=1");
-  compare(state, make_block(nodes(state)), kAll);
+  measure_speedup(state, make_block(nodes(state)), kAll);
 }
 
 BENCHMARK(annealing_speedup)->ArgName("nodes")->Arg(25)->Iterations(31)->UseManualTime()->Unit(benchmark::kMillisecond);

@@ -9,8 +9,8 @@ namespace nodal::micro {
 
 namespace {
 
-void compare(benchmark::State& state, std::shared_ptr<const elastic::ElasticProblem> problem,
-             std::size_t blocks = 401) {
+void measure_overhead(benchmark::State& state, std::shared_ptr<const elastic::ElasticProblem> problem,
+                      std::size_t blocks = 401) {
   without_threads();
   const auto evaluator = problem->make_evaluator();
   const auto points = make_points(problem->space(), 64);
@@ -35,10 +35,12 @@ void compare(benchmark::State& state, std::shared_ptr<const elastic::ElasticProb
   state.SetLabel(model.groups[0]->pattern().supernodal() ? "supernodal" : "simplicial");
 }
 
-void value_overhead(benchmark::State& state) { compare(state, make_plate(static_cast<std::size_t>(state.range(0)))); }
+void value_overhead(benchmark::State& state) {
+  measure_overhead(state, make_plate(static_cast<std::size_t>(state.range(0))));
+}
 void value_overhead_in_space(benchmark::State& state) {
   const bool large = state.range(0) > 1000;  // seconds each: what disturbs them is over long before
-  compare(state, make_block(static_cast<std::size_t>(state.range(0))), large ? 5 : 401);
+  measure_overhead(state, make_block(static_cast<std::size_t>(state.range(0))), large ? 5 : 401);
 }
 BENCHMARK(value_overhead)
     ->ArgName("nodes")
