@@ -10,7 +10,7 @@ namespace nodal::elastic {
 namespace {
 
 // A quarter of what a price may be off by, since G² is a square and α has the error twice.
-constexpr double kAgreement = 2.5e-10;
+constexpr double kPriceAgreement = 2.5e-10;
 
 // Pivots are inverted as blocks of a node's freedoms, where CHOLMOD divides by scalar ones. On 840 plane and 683 space
 // trusses (18 to 400 unknowns, contrasts from 1 to 1e12, strips and blocks, weak nodes) that cost a factor of 9 in the
@@ -66,7 +66,7 @@ bool LaneSystem::agrees_with(const FullEvaluation& solved, std::span<const doubl
   AlignedArray u(structure_.slots() * structure_.vector_size());
   kernels_.solve_loads(view_, stiffness.data(), u.data());
   const double ours = kernels_.squared_error(view_, u.data());
-  return std::abs(std::sqrt(ours) - std::sqrt(theirs)) <= kAgreement * (std::sqrt(theirs) + reference_norm);
+  return std::abs(std::sqrt(ours) - std::sqrt(theirs)) <= kPriceAgreement * (std::sqrt(theirs) + reference_norm);
 }
 
 void LaneSystem::take_displacements(const FullEvaluation& solved, double* u) const {

@@ -40,9 +40,9 @@ void append_planes(double from, double to, bool graded, double spacing, std::vec
   planes.push_back(to);
 }
 
-class Builder {
+class BlockBuilder {
  public:
-  Builder(const Block& block, double spacing) : block_(block) {
+  BlockBuilder(const Block& block, double spacing) : block_(block) {
     for (std::size_t axis = 0; axis < 3; ++axis) planes_[axis] = planes_across(block, axis, spacing);
     require_few();
     linear_.dimension = 3;
@@ -148,6 +148,6 @@ std::vector<double> planes_across(const Block& block, std::size_t axis, double s
   return planes;
 }
 
-Mesh block_mesh(const Block& block, double spacing) { return Builder(block, spacing).mesh(); }
+Mesh block_mesh(const Block& block, double spacing) { return BlockBuilder(block, spacing).mesh(); }
 
 }  // namespace nodal::elastic::finite_elements

@@ -27,9 +27,9 @@ std::optional<double> crossing(const Point& p, const Point& q, const Point& r, c
   return share;
 }
 
-class Builder {
+class GraphBuilder {
  public:
-  explicit Builder(const PlaneBody& body)
+  explicit GraphBuilder(const PlaneBody& body)
       : body_(body), tolerance_(body.tolerance > 0.0 ? body.tolerance : kOnOutline * size_of(body)) {
     for (const LabelledRing& ring : body.rings) append_ring(ring);
     from_rings_ = graph_.places.size();
@@ -147,7 +147,7 @@ class Builder {
 
 }  // namespace
 
-PlaneGraph plane_graph(const PlaneBody& body) { return Builder(body).take(); }
+PlaneGraph plane_graph(const PlaneBody& body) { return GraphBuilder(body).take(); }
 
 bool within(const std::vector<LabelledRing>& rings, const Point& point) {
   bool inside = false;

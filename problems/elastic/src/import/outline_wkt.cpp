@@ -16,8 +16,8 @@ namespace nodal::elastic {
 
 namespace {
 
-constexpr std::string_view kSpace = " \t\r\n\f\v", kPunctuation = "(),", kSpaceOrPunctuation = " \t\r\n\f\v(),";
-constexpr const char* kWanted = "an outline is POLYGON ((x y, x y, …, x y), …), with the first point again at the end";
+constexpr std::string_view kWhiteSpace = " \t\r\n\f\v", kPunctuation = "(),", kSpaceOrPunctuation = " \t\r\n\f\v(),";
+constexpr const char* kWktForm = "an outline is POLYGON ((x y, x y, …, x y), …), with the first point again at the end";
 
 std::string upper_case(std::string_view text) {
   std::string upper(text);
@@ -27,7 +27,7 @@ std::string upper_case(std::string_view text) {
 
 // Without white space and a semicolon at the end.
 std::string_view without_end(std::string_view text) {
-  const auto trim = [&text] { text = text.substr(0, text.find_last_not_of(kSpace) + 1); };
+  const auto trim = [&text] { text = text.substr(0, text.find_last_not_of(kWhiteSpace) + 1); };
   trim();
   if (text.ends_with(';')) text.remove_suffix(1);
   trim();
@@ -49,7 +49,7 @@ class WktReader {
   FileOutline polygon() {
     outline_.source = here();
     take_srid();
-    if (token_.empty()) refuse(fmt::format("the file is empty; {}", kWanted));
+    if (token_.empty()) refuse(fmt::format("the file is empty; {}", kWktForm));
     if (upper_case(token_) == "GEOMETRYCOLLECTION") {
       advance();
       read_single([this] { read_geometry(); });
@@ -68,7 +68,7 @@ class WktReader {
   [[nodiscard]] std::string quoted() const { return shown(token_); }
 
   void skip_space() {
-    const std::size_t begin = std::min(text_.find_first_not_of(kSpace), text_.size());
+    const std::size_t begin = std::min(text_.find_first_not_of(kWhiteSpace), text_.size());
     line_ += static_cast<int>(std::ranges::count(text_.substr(0, begin), '\n'));
     text_.remove_prefix(begin);
   }
@@ -90,8 +90,8 @@ class WktReader {
 
   void require(std::string_view token) {
     if (take(token)) return;
-    refuse(token_.empty() ? fmt::format("the text ends where '{}' is missing; {}", token, kWanted)
-                          : fmt::format("'{}' stands where '{}' is missing; {}", quoted(), token, kWanted));
+    refuse(token_.empty() ? fmt::format("the text ends where '{}' is missing; {}", token, kWktForm)
+                          : fmt::format("'{}' stands where '{}' is missing; {}", quoted(), token, kWktForm));
   }
 
   // "SRID=4326;", in front of the type.
@@ -100,7 +100,7 @@ class WktReader {
     const std::size_t end = token_.find(';');
     // A semicolon that ends the text is gone already.
     if (end == std::string_view::npos && text_.empty())
-      refuse(fmt::format("nothing follows '{};'; {}", quoted(), kWanted));
+      refuse(fmt::format("nothing follows '{};'; {}", quoted(), kWktForm));
     if (end == std::string_view::npos)
       refuse(fmt::format("'{}' must end with a semicolon: SRID=4326;POLYGON…", quoted()));
     outline_.remarks.push_back(fmt::format("{}: SRID {} is left out, coordinates are taken for metres",
@@ -122,7 +122,7 @@ class WktReader {
           type = known;
           tag = glued;
         }
-    if (type != "POLYGON" && type != "MULTIPOLYGON") refuse(fmt::format("'{}' is no POLYGON; {}", name, kWanted));
+    if (type != "POLYGON" && type != "MULTIPOLYGON") refuse(fmt::format("'{}' is no POLYGON; {}", name, kWktForm));
     if (const std::string next = upper_case(token_); tag.empty() && (next == "Z" || next == "M" || next == "ZM")) {
       tag = next;
       advance();
@@ -130,7 +130,7 @@ class WktReader {
     if (tag == "M" || tag == "ZM")
       refuse(fmt::format("the polygon has measures, '{}', beside its coordinates; a plane body has x and y only", tag));
     if (tag == "Z") numbers_ = 3;
-    if (upper_case(token_) == "EMPTY") refuse(fmt::format("the polygon is EMPTY; {}", kWanted));
+    if (upper_case(token_) == "EMPTY") refuse(fmt::format("the polygon is EMPTY; {}", kWktForm));
     if (type == "MULTIPOLYGON")
       read_single([this] { read_polygon(); });
     else
@@ -192,7 +192,7 @@ class WktReader {
     if (error != std::errc() || !whole || !std::isfinite(number))
       refuse(
           token_.empty()
-              ? fmt::format("the text ends where a number is missing; {}", kWanted)
+              ? fmt::format("the text ends where a number is missing; {}", kWktForm)
               : fmt::format("'{}' is no finite number; a point is x and y, points are separated by commas", quoted()));
     advance();
     return number;

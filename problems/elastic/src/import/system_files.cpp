@@ -41,15 +41,15 @@ std::vector<double> all_or_none(const std::vector<Entry>& entries, std::optional
 // Two nodes at one place have no direction between them; nearer than this share of the size is the same place.
 void refuse_coincident(const std::vector<NodeEntry>& entries, double size,
                        const std::function<std::string(std::size_t)>& name) {
-  constexpr double kSamePlace = 1e-12;
+  constexpr double kCoincident = 1e-12;
   std::vector<std::size_t> order(entries.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
   std::ranges::sort(order, {}, [&](std::size_t i) { return entries[i].at; });
   for (std::size_t a = 0; a < order.size(); ++a)
     for (std::size_t b = a + 1; b < order.size(); ++b) {
       const plane::Point &p = entries[order[a]].at, &q = entries[order[b]].at;
-      if (q[0] - p[0] > kSamePlace * size) break;
-      if (std::abs(q[1] - p[1]) > kSamePlace * size) continue;
+      if (q[0] - p[0] > kCoincident * size) break;
+      if (std::abs(q[1] - p[1]) > kCoincident * size) continue;
       const std::size_t later = std::max(order[a], order[b]), earlier = std::min(order[a], order[b]);
       throw InputError(entries[later].source, fmt::format("node {} lies at the place of node {}: ({}, {})", name(later),
                                                           name(earlier), p[0], p[1]));

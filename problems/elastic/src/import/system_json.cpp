@@ -16,7 +16,7 @@ namespace {
 using Keys = std::vector<std::string>;
 
 // Of files whose nodes and springs are elsewhere: networkx, D3 and others.
-constexpr const char* kWanted = "a system file is {\"nodes\": […], \"springs\": […]}";
+constexpr const char* kSystemForm = "a system file is {\"nodes\": […], \"springs\": […]}";
 
 void require_table(const Value& item, const char* what, const Keys& known) {
   if (!item.is_table())
@@ -96,7 +96,7 @@ template <class Entry>
 bool read_list(const Value& file, const char* key, Entry (*read)(const Value&), std::vector<Entry>& entries) {
   const Value* list = file.find(key);
   if (!list) return false;
-  if (!list->is_list()) throw InputError(list->source, fmt::format("\"{}\" must be a list; {}", key, kWanted));
+  if (!list->is_list()) throw InputError(list->source, fmt::format("\"{}\" must be a list; {}", key, kSystemForm));
   entries.reserve(list->list().size());
   for (const Value& item : list->list()) entries.push_back(read(item));
   return true;
@@ -107,9 +107,9 @@ bool read_list(const Value& file, const char* key, Entry (*read)(const Value&), 
 SystemJson parse_system_json(std::string_view text, const std::string& name) {
   static const Keys keys = {"schema", "bounds", "nodes", "springs"};
   const Value file = parse_json(text, name);
-  if (!file.is_table()) throw InputError({name, 0}, kWanted);
+  if (!file.is_table()) throw InputError({name, 0}, kSystemForm);
   check_schema(file, name);  // first: a newer schema may have other keys
-  if (!file.find("nodes") && !file.find("springs")) throw InputError({name, 0}, kWanted);
+  if (!file.find("nodes") && !file.find("springs")) throw InputError({name, 0}, kSystemForm);
   require_table(file, "a system file", keys);
   SystemJson system;
   system.bounds = bounds_of(file);

@@ -20,19 +20,19 @@ struct Shear {
 };
 
 constexpr std::array<Shear, 2> kOverEdges = {{{"shear-x", 0, 1}, {"shear-y", 1, 0}}};
-constexpr std::array<Shear, 1> kInThePlane = {{{"shear", 0, 1}}};
+constexpr std::array<Shear, 1> kShearInThePlane = {{{"shear", 0, 1}}};
 constexpr std::array<Shear, 6> kOverFaces = {{{"shear-xy", 0, 1},
                                               {"shear-yx", 1, 0},
                                               {"shear-yz", 1, 2},
                                               {"shear-zy", 2, 1},
                                               {"shear-zx", 2, 0},
                                               {"shear-xz", 0, 2}}};
-constexpr std::array<Shear, 3> kInSpace = {{{"shear-xy", 0, 1}, {"shear-yz", 1, 2}, {"shear-zx", 2, 0}}};
+constexpr std::array<Shear, 3> kShearsInSpace = {{{"shear-xy", 0, 1}, {"shear-yz", 1, 2}, {"shear-zx", 2, 0}}};
 
 // Held by both of a shear's sides in turn; at rest these are one load.
 std::span<const Shear> shears(std::size_t dimension, SupportStyle style) {
-  if (dimension == 2) return style == SupportStyle::edge ? std::span<const Shear>(kOverEdges) : kInThePlane;
-  return style == SupportStyle::edge ? std::span<const Shear>(kOverFaces) : kInSpace;
+  if (dimension == 2) return style == SupportStyle::edge ? std::span<const Shear>(kOverEdges) : kShearInThePlane;
+  return style == SupportStyle::edge ? std::span<const Shear>(kOverFaces) : kShearsInSpace;
 }
 
 }  // namespace

@@ -14,7 +14,7 @@ namespace nodal::elastic {
 
 namespace {
 
-using Shares = std::array<double, 2>;
+using EndShares = std::array<double, 2>;
 
 class Thickness {
  public:
@@ -22,10 +22,10 @@ class Thickness {
       : material_(material), own_(net.body.thickness), layers_(layers_of(material, extent_of(net.body))) {}
 
   // Along a line of straight sides, with the body to its left.
-  [[nodiscard]] Shares along(std::span<const plane::Point> line) const {
+  [[nodiscard]] EndShares along(std::span<const plane::Point> line) const {
     double length = 0.0, passed = 0.0;
     for (std::size_t i = 0; i + 1 < line.size(); ++i) length += plane::distance(line[i], line[i + 1]);
-    Shares shares{};
+    EndShares shares{};
     for (std::size_t i = 0; i + 1 < line.size(); ++i) {
       const double own = plane::distance(line[i], line[i + 1]);
       if (own > 0.0) add_side(line[i], line[i + 1], passed / length, (passed + own) / length, shares);
@@ -36,7 +36,7 @@ class Thickness {
 
  private:
   // All is looked up beside the border, inside: a region that ends on it has no part of the body.
-  void add_side(const plane::Point& p, const plane::Point& q, double first, double last, Shares& shares) const {
+  void add_side(const plane::Point& p, const plane::Point& q, double first, double last, EndShares& shares) const {
     const double beside = 4.0 * material_.tolerance / plane::distance(p, q);
     const plane::Point inwards = {-beside * (q[1] - p[1]), beside * (q[0] - p[0])};
     const plane::Point a = {p[0] + inwards[0], p[1] + inwards[1]}, b = {q[0] + inwards[0], q[1] + inwards[1]};
@@ -84,9 +84,9 @@ bool has_uneven_thickness(const MaterialField& material, const Body& body) {
   });
 }
 
-std::vector<Shares> thickness_shares(const Net& net, const MaterialField& material) {
+std::vector<EndShares> thickness_shares(const Net& net, const MaterialField& material) {
   const Thickness thickness(net, material);
-  std::vector<Shares> shares;
+  std::vector<EndShares> shares;
   for (std::size_t r = 0; r < net.body.rings.size(); ++r) {
     const plane::Ring& ring = net.body.rings[r];
     const std::vector<NodeOnRing> nodes = nodes_on_ring(net, r);

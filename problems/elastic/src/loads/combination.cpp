@@ -12,7 +12,7 @@ namespace nodal::elastic {
 
 namespace {
 
-constexpr double kRounding = 1e-9;
+constexpr double kCombined = 1e-9;
 
 // What a load does to free freedoms. Where supports move, every load has their motion once: an entry more says so.
 Eigen::VectorXd pull_of(const LoadCase& load, const SupportGroup& group, const Freedoms& freedoms, double motion) {
@@ -31,7 +31,7 @@ std::string sum_text(const std::vector<const LoadCase*>& loads, const Eigen::Vec
   std::string text;
   for (std::size_t l = 0; l < loads.size(); ++l) {
     const double factor = factors[static_cast<Eigen::Index>(l)];
-    if (std::abs(factor) <= kRounding * factors.lpNorm<Eigen::Infinity>()) continue;
+    if (std::abs(factor) <= kCombined * factors.lpNorm<Eigen::Infinity>()) continue;
     text += fmt::format("{}{:.4g} {}",
                         text.empty()   ? (factor < 0.0 ? "−" : "")
                         : factor < 0.0 ? " − "
@@ -58,7 +58,7 @@ std::string combination_of(const LoadSet& set, std::size_t load, const LoadSet& 
   for (std::size_t l = 0; l < same.size(); ++l)
     pulls.col(static_cast<Eigen::Index>(l)) = pull_of(*same[l], group, freedoms, motion);
   const Eigen::VectorXd factors = pulls.colPivHouseholderQr().solve(pull);
-  const bool inside = (pull - pulls * factors).norm() <= kRounding * pull.norm();
+  const bool inside = (pull - pulls * factors).norm() <= kCombined * pull.norm();
   return inside ? sum_text(same, factors) : std::string();
 }
 

@@ -19,8 +19,8 @@ struct Bending {
   std::size_t along, across;
 };
 
-constexpr std::array<Bending, 2> kInThePlane = {{{"bend-x", 0, 1}, {"bend-y", 1, 0}}};
-constexpr std::array<Bending, 6> kInSpace = {
+constexpr std::array<Bending, 2> kBendingsInThePlane = {{{"bend-x", 0, 1}, {"bend-y", 1, 0}}};
+constexpr std::array<Bending, 6> kBendingsInSpace = {
     {{"bend-xy", 0, 1}, {"bend-xz", 0, 2}, {"bend-yx", 1, 0}, {"bend-yz", 1, 2}, {"bend-zx", 2, 0}, {"bend-zy", 2, 1}}};
 
 LoadSpec bent(const Bending& bending, const Extent& box, double stress) {
@@ -56,7 +56,7 @@ struct Lists {
 };
 
 Lists lists(std::size_t dimension) {
-  return dimension == 2 ? Lists{kInThePlane, in_the_plane} : Lists{kInSpace, in_space};
+  return dimension == 2 ? Lists{kBendingsInThePlane, in_the_plane} : Lists{kBendingsInSpace, in_space};
 }
 
 }  // namespace

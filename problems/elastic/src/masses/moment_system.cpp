@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
 #include <fmt/format.h>
@@ -12,12 +11,12 @@
 #include <nodal/error.h>
 
 #include "conic.h"
+#include "geometry/epsilon.h"
 
 namespace nodal::elastic {
 
 namespace {
 
-constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 constexpr std::array<const char*, 6> kNames = {"∫1", "∫x", "∫y", "∫x²", "∫xy", "∫y²"};
 
 void check(const std::vector<plane::Point>& points, const MassTarget& target) {

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <Eigen/Cholesky>
 
+#include "geometry/epsilon.h"
 #include "moment_system.h"
 #include "nonnegative.h"
 
@@ -18,8 +19,6 @@
 namespace nodal::elastic {
 
 namespace {
-
-constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 
 // The dual of min ½‖m − v‖², Uᵀ m = b, m ≥ w: minimize the convex, once differentiable
 //   θ(λ) = Σ h(v + U λ) − b·λ,   h' = max(w, ·),   ∇θ = Uᵀ max(w, v + U λ) − b.

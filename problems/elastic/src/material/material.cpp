@@ -13,11 +13,11 @@ namespace nodal::elastic {
 namespace {
 
 // What keeps the third axis: nothing, or its own compliance, or all around it.
-enum class State { space, plane_stress, plane_strain };
+enum class StressState { space, plane_stress, plane_strain };
 
-State state_of(const Material& material, std::size_t dimension) {
-  if (dimension == 3) return State::space;
-  return material.plane == Plane::stress ? State::plane_stress : State::plane_strain;
+StressState state_of(const Material& material, std::size_t dimension) {
+  if (dimension == 3) return StressState::space;
+  return material.plane == Plane::stress ? StressState::plane_stress : StressState::plane_strain;
 }
 
 // σ in Voigt's order.
@@ -41,15 +41,15 @@ double von_mises(const Tensor& t) {
 }
 
 Elasticity Material::elasticity(std::size_t dimension) const {
-  const State state = state_of(*this, dimension);
+  const StressState state = state_of(*this, dimension);
   if (orthotropic) {
     const Compliance s = turned_compliance(*orthotropic);
-    return {dimension, state == State::space          ? s
-                       : state == State::plane_stress ? in_plane_stress(s)
-                                                      : in_plane_strain(s)};
+    return {dimension, state == StressState::space          ? s
+                       : state == StressState::plane_stress ? in_plane_stress(s)
+                                                            : in_plane_strain(s)};
   }
   const double shear = young / (2.0 * (1.0 + poisson));
-  if (state == State::plane_strain)
+  if (state == StressState::plane_strain)
     return {dimension, Moduli{young / (1.0 - poisson * poisson), poisson / (1.0 - poisson), shear}};
   return {dimension, Moduli{young, poisson, shear}};
 }
@@ -66,11 +66,11 @@ std::array<double, 2> Material::young_range(std::size_t dimension) const {
 }
 
 std::string Material::flaw(std::size_t dimension) const {
-  const State state = state_of(*this, dimension);
-  if (orthotropic) return flaw_of(*orthotropic, state == State::plane_stress ? 2 : 3);
-  if (state == State::plane_stress || poisson <= kLargestPoisson) return {};
+  const StressState state = state_of(*this, dimension);
+  if (orthotropic) return flaw_of(*orthotropic, state == StressState::plane_stress ? 2 : 3);
+  if (state == StressState::plane_stress || poisson <= kLargestPoisson) return {};
   return fmt::format("'poisson' is {}: in {} a body this incompressible can't be computed with; it must be ≤ {}",
-                     poisson, state == State::space ? "space" : "plane strain", kLargestPoisson);
+                     poisson, state == StressState::space ? "space" : "plane strain", kLargestPoisson);
 }
 
 Elasticity::Elasticity(std::size_t dimension, const Moduli& isotropic) : dimension_(dimension), isotropic_(isotropic) {

@@ -13,13 +13,13 @@ namespace nodal::elastic {
 namespace {
 
 // The pairs of axes in the order of Orthotropic's constants.
-constexpr std::array<std::pair<std::size_t, std::size_t>, 3> kPairs = {{{0, 1}, {0, 2}, {1, 2}}};
+constexpr std::array<std::pair<std::size_t, std::size_t>, 3> kAxisPairs = {{{0, 1}, {0, 2}, {1, 2}}};
 
 Compliance own_compliance(const Orthotropic& m) {
   Compliance s{};
   for (std::size_t a = 0; a < 3; ++a) s[a][a] = 1.0 / m.young[a];
   for (std::size_t k = 0; k < 3; ++k) {
-    const auto [a, b] = kPairs[k];
+    const auto [a, b] = kAxisPairs[k];
     s[a][b] = s[b][a] = -m.poisson[k] / m.young[a];
     s[voigt(a, b)][voigt(a, b)] = 1.0 / m.shear[k];
   }
@@ -112,7 +112,7 @@ constexpr int kMostDecades = 15;
 // By the eigenvalues of S_ab √(E_a E_b): those of an isotropic material are 1 + ν and 1 − 2ν, in plane stress 1 ± ν.
 std::string flaw_of(const Orthotropic& m, std::size_t axes) {
   for (std::size_t k = 0; k < (axes == 2 ? 1u : 3u); ++k) {
-    const auto [a, b] = kPairs[k];
+    const auto [a, b] = kAxisPairs[k];
     if (!(std::abs(std::log10(m.young[a]) - std::log10(m.young[b])) <= kMostDecades))
       return fmt::format(
           "E_{} = {} and E_{} = {} are more than {} powers of ten apart, and nothing can be computed in double "
@@ -128,8 +128,9 @@ std::string flaw_of(const Orthotropic& m, std::size_t axes) {
   }
   Eigen::Matrix3d scaled = Eigen::Matrix3d::Identity();
   for (std::size_t k = 0; k < (axes == 2 ? 1u : 3u); ++k) {
-    const auto a = static_cast<Eigen::Index>(kPairs[k].first), b = static_cast<Eigen::Index>(kPairs[k].second);
-    scaled(a, b) = scaled(b, a) = -m.poisson[k] * std::sqrt(m.young[kPairs[k].second] / m.young[kPairs[k].first]);
+    const auto a = static_cast<Eigen::Index>(kAxisPairs[k].first), b = static_cast<Eigen::Index>(kAxisPairs[k].second);
+    scaled(a, b) = scaled(b, a) =
+        -m.poisson[k] * std::sqrt(m.young[kAxisPairs[k].second] / m.young[kAxisPairs[k].first]);
   }
   const double least = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(scaled).eigenvalues()[0];
   if (least >= 1.0 - 2.0 * kLargestPoisson) return {};

@@ -10,7 +10,7 @@ namespace nodal::elastic {
 
 namespace {
 
-FormCost costs(const PricingSizes& s) {
+FormCost eager_costs(const PricingSizes& s) {
   const double wide = s.passes_per_block();
   FormCost cost;
   cost.price = kListedPrice * wide;
@@ -57,7 +57,7 @@ extern const PricingFormDescription kEagerForm = {
     .name = "eager",
     .summary = "keeps a price list of all springs",
     .listed = true,
-    .cost = costs,
+    .cost = eager_costs,
     .make = [](const ElasticModel& model, const LaneModel& lanes) -> std::unique_ptr<PricingForm> {
       return std::make_unique<EagerForm>(model, lanes);
     }};

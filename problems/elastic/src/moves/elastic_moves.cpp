@@ -3,21 +3,21 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 
 #include <fmt/format.h>
 
 #include <nodal/agreement.h>
 
+#include "geometry/epsilon.h"
+
 namespace nodal::elastic {
 
 namespace {
 
-constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
-constexpr double kTolerance = 1e-9;  // of G², what a price and the walk's own value may be off by
-constexpr double kNoise = 1e-12;     // … of ‖u_ref‖: about what displacements of any evaluation are off by
-constexpr double kSafety = 4.0;      // by which measured errors of prices stayed below the bound on `loss`
+constexpr double kPriceTolerance = 1e-9;  // of G², what a price and the walk's own value may be off by
+constexpr double kNoise = 1e-12;          // … of ‖u_ref‖: about what displacements of any evaluation are off by
+constexpr double kSafety = 4.0;           // by which measured errors of prices stayed below the bound on `loss`
 constexpr std::int64_t kFirstInterval = 1024, kLongestInterval = 65536, kShortestInterval = 64;
 constexpr std::int64_t kReviewEvery = 64;
 constexpr std::size_t kMostChoices = 32;
@@ -105,7 +105,7 @@ bool ElasticMoves::loses_too_much(std::size_t i, double x) {
   travelled_ += quality + model_.reference_norm;
   ++updates_;
   const double loss = kSafety * kEpsilon * (static_cast<double>(updates_) * ratio_ * quality + travelled_);
-  return !(loss <= kTolerance * quality + kNoise * model_.reference_norm);
+  return !(loss <= kPriceTolerance * quality + kNoise * model_.reference_norm);
 }
 
 Evaluation ElasticMoves::reset(std::span<const double> x) {
@@ -160,7 +160,7 @@ Status ElasticMoves::accept() {
   x_[changed_] = proposed_x_;
   rounding_ += 8.0 * kEpsilon * (squared_ + proposed_squared_);
   squared_ = proposed_squared_;
-  if (++since_check_ >= interval_ || rounding_ > kTolerance * squared_) [[unlikely]]
+  if (++since_check_ >= interval_ || rounding_ > kPriceTolerance * squared_) [[unlikely]]
     check_drift();
   return Status::ok;
 }
@@ -197,11 +197,11 @@ void ElasticMoves::check_drift() {
     return;
   }
   const double relative = note_drift(ours);
-  if (relative > kTolerance)
+  if (relative > kPriceTolerance)
     begin_form();
   else
     form_->set_squared(squared_);
-  const double allowed = 0.1 * kTolerance * static_cast<double>(steps) / std::max(relative, kEpsilon);
+  const double allowed = 0.1 * kPriceTolerance * static_cast<double>(steps) / std::max(relative, kEpsilon);
   const auto longest = std::min(kLongestInterval, 2 * interval_);
   interval_ = std::clamp(static_cast<std::int64_t>(std::min(allowed, 1e9)), kShortestInterval, longest);
 }

@@ -7,14 +7,16 @@ namespace nodal::elastic {
 
 namespace {
 
-FormCost costs(const PricingSizes& s) { return {.price = s.value(), .bytes = 8.0 * 4.0 * s.groups * s.blocks * 1.5}; }
+FormCost full_costs(const PricingSizes& s) {
+  return {.price = s.value(), .bytes = 8.0 * 4.0 * s.groups * s.blocks * 1.5};
+}
 
 }  // namespace
 
 extern const PricingFormDescription kFullForm = {
     .name = "full",
     .summary = "evaluates each proposal by CHOLMOD",
-    .cost = costs,
+    .cost = full_costs,
     .make = [](const ElasticModel& model, const LaneModel&) -> std::unique_ptr<PricingForm> {
       return std::make_unique<FullForm>(model);
     }};

@@ -10,7 +10,7 @@ namespace nodal::elastic {
 
 namespace {
 
-FormCost costs(const PricingSizes& s) {
+FormCost lazy_costs(const PricingSizes& s) {
   const double wide = s.passes_per_block();
   FormCost cost;
   cost.price = kLaneCall + wide * (s.members * (s.path + s.blocks + 2.0 * s.nodes) +
@@ -87,7 +87,7 @@ Work LazyForm::work() const {
 extern const PricingFormDescription kLazyForm = {
     .name = "lazy",
     .summary = "solves for each proposal",
-    .cost = costs,
+    .cost = lazy_costs,
     .make = [](const ElasticModel& model, const LaneModel& lanes) -> std::unique_ptr<PricingForm> {
       return std::make_unique<LazyForm>(model, lanes);
     }};

@@ -10,7 +10,7 @@ namespace nodal::elastic {
 
 namespace {
 
-FormCost costs(const PricingSizes& s) {
+FormCost refactor_costs(const PricingSizes& s) {
   FormCost cost;
   cost.price = kLaneCall + s.passes_per_block() * (s.lane_factoring + 2.0 * s.blocks + 3.0 * s.nodes);
   cost.begin = s.value();
@@ -76,7 +76,7 @@ Work RefactorForm::work() const {
 extern const PricingFormDescription kRefactorForm = {
     .name = "refactor",
     .summary = "factors for each (all three for all support groups at once)",
-    .cost = costs,
+    .cost = refactor_costs,
     .make = [](const ElasticModel& model, const LaneModel& lanes) -> std::unique_ptr<PricingForm> {
       return std::make_unique<RefactorForm>(model, lanes);
     }};

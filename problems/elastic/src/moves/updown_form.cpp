@@ -37,7 +37,7 @@ SparseColumn column_of(const EquilibriumGroup& group, const Spring& spring) {
   return column;
 }
 
-FormCost costs(const PricingSizes& s) {
+FormCost updown_costs(const PricingSizes& s) {
   FormCost cost;
   cost.price = kListedPrice * s.passes_per_block();
   cost.accept = s.groups * (3.0 * s.kScalarCall + 2.0 * s.kScalarSolve * s.blocks + 4.0 * s.path) +
@@ -121,7 +121,7 @@ extern const PricingFormDescription kUpdownForm = {
     .name = "updown",
     .summary = "keeps the list by CHOLMOD's updates",
     .listed = true,
-    .cost = costs,
+    .cost = updown_costs,
     .make = [](const ElasticModel& model, const LaneModel& lanes) -> std::unique_ptr<PricingForm> {
       return std::make_unique<UpdownForm>(model, lanes);
     }};

@@ -132,12 +132,12 @@ OptionSchema region_fields() {
 }
 
 // Keys of an orthotropic table that a body asks for, and those it has nothing to do with.
-struct Keys {
+struct OrthotropicKeys {
   std::vector<const char*> needed, foreign;
   const char* body;
 };
 
-Keys keys_of(const Material& material, std::size_t dimension) {
+OrthotropicKeys keys_of(const Material& material, std::size_t dimension) {
   if (dimension == 3)
     return {
         {"young_x", "young_y", "young_z", "poisson_xy", "poisson_xz", "poisson_yz", "shear_xy", "shear_xz", "shear_yz"},
@@ -165,7 +165,7 @@ double& constant(Orthotropic& m, std::string_view key) {
 
 Orthotropic read_orthotropic(const Constants& constants, const Material& otherwise) {
   const Options table = constants.table.table("orthotropic");
-  const Keys keys = keys_of(otherwise, constants.dimension);
+  const OrthotropicKeys keys = keys_of(otherwise, constants.dimension);
   for (const char* key : keys.foreign)
     if (table.has(key))
       throw InputError(table.at(key).source, fmt::format("'{}' of {} is nothing that {} asks for; leave it out", key,

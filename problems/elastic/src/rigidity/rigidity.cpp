@@ -19,7 +19,7 @@ namespace nodal::elastic {
 
 namespace {
 
-constexpr double kTolerance = 1e-9;
+constexpr double kColumnTolerance = 1e-9;
 constexpr double kMoves = 1e-6;
 
 void check(const Structure& structure) {
@@ -41,7 +41,7 @@ double column_tolerance(const Structure& structure) {
   for (const Vector& p : structure.nodes)
     for (const double coordinate : p) farthest = std::max(farthest, std::abs(coordinate));
   for (const Spring& s : structure.springs) shortest = std::min(shortest, s.length);
-  return kTolerance + 8.0 * std::numeric_limits<double>::epsilon() * farthest / shortest;
+  return kColumnTolerance + 8.0 * std::numeric_limits<double>::epsilon() * farthest / shortest;
 }
 
 // The free freedoms, and the decomposition of Bᵀ on them.

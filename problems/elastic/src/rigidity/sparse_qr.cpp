@@ -18,20 +18,20 @@ namespace {
 static_assert(std::is_same_v<SuiteSparse_long, long>);
 
 // A silent cholmod_common and everything that a factorization hands out, freed in the reverse order.
-class Factorization {
+class QrFactors {
  public:
-  Factorization() {
+  QrFactors() {
     cholmod_l_start(&common_);
     common_.print = 0;
     common_.error_handler = nullptr;
   }
-  ~Factorization() {
+  ~QrFactors() {
     cholmod_l_free_sparse(&r, &common_);
     if (permutation) cholmod_l_free(columns_, sizeof(long), permutation, &common_);
     cholmod_l_finish(&common_);
   }
-  Factorization(const Factorization&) = delete;
-  Factorization& operator=(const Factorization&) = delete;
+  QrFactors(const QrFactors&) = delete;
+  QrFactors& operator=(const QrFactors&) = delete;
 
   std::size_t run(cholmod_sparse& a, double tolerance) {
     columns_ = a.ncol;
@@ -79,7 +79,7 @@ SparseQr::SparseQr(std::size_t rows, std::size_t columns, std::span<const Matrix
   a.xtype = CHOLMOD_REAL;
   a.dtype = CHOLMOD_DOUBLE;
   a.sorted = a.packed = 1;
-  Factorization factorization;
+  QrFactors factorization;
   rank_ = factorization.run(a, tolerance);
   if (factorization.permutation)
     for (std::size_t j = 0; j < columns; ++j) order_[j] = static_cast<std::size_t>(factorization.permutation[j]);

@@ -15,7 +15,7 @@ constexpr double kReferenceSpacing = 9.0;  // between dotted lines, in drawing u
 constexpr double kMarkSpacing = 4.0;       // between nodes, where each has its mark
 constexpr double kCross = 2.4;             // half the size of a mark
 constexpr double kArrowSpacing = 6.0;      // between the beginnings of arrows
-constexpr double kShortestArrow = 0.5;     // shorter ones would be a dot
+constexpr double kShortestForce = 0.5;     // shorter ones would be a dot
 
 using Link = std::pair<std::size_t, std::size_t>;
 
@@ -115,7 +115,7 @@ std::string force_arrows(const PicturedLoad& load, const Frame& frame, const std
   Apart apart(kArrowSpacing);
   std::string path;
   for (std::size_t i = 0; i < load.forces.size(); ++i)
-    if (drawn[i] && length(load.forces[i]) * frame.arrow > kShortestArrow && apart.take(system[i]))
+    if (drawn[i] && length(load.forces[i]) * frame.arrow > kShortestForce && apart.take(system[i]))
       path += arrow_path(system[i], {frame.arrow * load.forces[i][0], -frame.arrow * load.forces[i][1]});
   return path.empty() ? "" : "<path class=\"force\" d=\"" + path + "\"/>";
 }

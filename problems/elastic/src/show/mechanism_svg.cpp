@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <nodal/show/svg.h>
+#include "show/measures.h"
 #include "show/picture_frame.h"
 #include "show/picture_svg.h"
 
@@ -15,11 +16,11 @@ namespace nodal::elastic::show {
 
 namespace {
 
-constexpr double kMargin = 16.0, kHeader = 40.0;
+constexpr double kHeader = 40.0;
 constexpr double kWidth = kPictureWidth - 2.0 * kMargin;
 constexpr double kMotionShare = 0.12;     // the longest arrow, as a share of the net
 constexpr std::size_t kMostNumbers = 24;  // nodes that have their number beside them
-constexpr double kShortestArrow = 3.0;
+constexpr double kShortestStep = 3.0;
 
 // Places in the drawing, and the step that each node makes there; both zero where it stays.
 struct Moved {
@@ -92,7 +93,7 @@ std::string moving_nodes(const Moved& moved) {
     if (!moved.moves[i]) continue;
     dots += fmt::format("<circle class=\"moving\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:.1f}\"/>", moved.from[i][0],
                         moved.from[i][1], moved.count > 400 ? 2.0 : 3.5);
-    if (length(moved.step[i]) >= kShortestArrow) arrows += arrow_path(moved.from[i], moved.step[i]);
+    if (length(moved.step[i]) >= kShortestStep) arrows += arrow_path(moved.from[i], moved.step[i]);
     if (moved.count <= kMostNumbers) numbers += number_beside(moved, i);
   }
   if (!arrows.empty()) arrows = "<path class=\"motion\" d=\"" + arrows + "\"/>\n";

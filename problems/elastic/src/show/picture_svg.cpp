@@ -9,6 +9,7 @@
 
 #include <nodal/show/html.h>
 #include <nodal/show/number_text.h>
+#include "show/measures.h"
 #include "show/panels.h"
 #include "show/stress_panels.h"
 #include "show/style.h"
@@ -17,14 +18,13 @@ namespace nodal::elastic::show {
 
 namespace {
 
-constexpr double kMargin = 16.0, kGap = 16.0;
 constexpr double kInner = kPictureWidth - 2.0 * kMargin;
-constexpr double kKeyWidth = 196.0;      // the column beside the system
-constexpr double kWideBody = 1.8;        // width over height: beyond, the key stands below the system
-constexpr double kFlatBody = 4.0;        // likewise: loads stand one under the other
-constexpr double kHeaderHeight = 54.0;   // title and figures
-constexpr double kCaptionHeight = 42.0;  // name and G of a load
-constexpr double kHeadingHeight = 24.0;  // over loads that were never fitted
+constexpr double kKeyWidth = 196.0;          // the column beside the system
+constexpr double kWideSystem = 1.8;          // width over height: beyond, the key stands below the system
+constexpr double kFlatBody = 4.0;            // likewise: loads stand one under the other
+constexpr double kHeaderHeight = 54.0;       // title and figures
+constexpr double kLoadCaptionHeight = 42.0;  // name and G of a load
+constexpr double kHeadingHeight = 24.0;      // over loads that were never fitted
 
 std::string at(double x, double y, const std::string& content) {
   return fmt::format("<g transform=\"translate({:.1f} {:.1f})\">{}</g>\n", x, y, content);
@@ -62,7 +62,7 @@ double aspect(const Picture& picture) {
 }
 
 Drawing system_and_key(const Picture& picture, const Frame& frame, const StiffnessColours& colours) {
-  if (aspect(picture) > kWideBody) {
+  if (aspect(picture) > kWideSystem) {
     const Drawing system = system_panel(picture, kInner, colours), words = key(picture, frame, colours, kInner);
     return {at(kMargin, 0.0, system.text) + at(kMargin, system.height + 8.0, words.text), kPictureWidth,
             system.height + 8.0 + words.height};
@@ -89,7 +89,8 @@ std::string caption_below(const PicturedLoad& load, double width, double y) {
 Drawing load_grid(const Picture& picture, std::span<const PicturedLoad> loads, const Frame& frame,
                   const StiffnessColours& colours, std::size_t columns) {
   Drawing drawing{"", kPictureWidth, 0.0};
-  const double step = (kInner + kGap) / static_cast<double>(columns), row_height = frame.height + kCaptionHeight + kGap;
+  const double step = (kInner + kGap) / static_cast<double>(columns),
+               row_height = frame.height + kLoadCaptionHeight + kGap;
   for (std::size_t l = 0; l < loads.size(); ++l) {
     const double x = kMargin + static_cast<double>(l % columns) * step + 0.5 * (step - kGap - frame.width);
     drawing.text += fmt::format("<g class=\"load\" transform=\"translate({:.1f} {:.1f})\">", x,

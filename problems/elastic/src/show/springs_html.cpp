@@ -20,8 +20,8 @@ namespace {
 constexpr double kPanel = 170.0;  // drawing units: many stand beside each other
 
 // Softer than in the first system, alike, stiffer: blue over grey to red, told apart without red or green.
-constexpr std::array<const char*, 7> kColours = {"#2166ac", "#4393c3", "#92c5de", "#b0b0b0",
-                                                 "#f4a582", "#d6604d", "#b2182b"};
+constexpr std::array<const char*, 7> kChangeColours = {"#2166ac", "#4393c3", "#92c5de", "#b0b0b0",
+                                                       "#f4a582", "#d6604d", "#b2182b"};
 constexpr std::array<double, 3> kLimits = {1.02, 1.25, 2.0};  // of the ratio: alike below the first
 
 std::size_t colour_of(const PicturedSpring& spring, const PicturedSpring& first) {
@@ -43,7 +43,7 @@ std::vector<std::array<Point, 2>> spring_places(const Picture& picture, double w
 std::string difference_svg(const Picture& picture, const Picture& first) {
   const Frame frame = system_frame(picture, kPanel);
   const std::vector<std::array<Point, 2>> places = spring_places(picture, kPanel);
-  std::array<std::string, kColours.size()> paths;
+  std::array<std::string, kChangeColours.size()> paths;
   for (std::size_t e = 0; e < places.size(); ++e)
     paths[colour_of(picture.springs[e], first.springs[e])] += move_to(places[e][0]) + line_to(places[e][1]);
   std::string text = fmt::format(
@@ -52,7 +52,7 @@ std::string difference_svg(const Picture& picture, const Picture& first) {
       "{}\"><g stroke-width=\"{:.2f}\">",
       frame.width, std::ceil(frame.height), escape_xml(picture.title), escape_xml(first.title), frame.line_width());
   for (std::size_t i = 0; i < paths.size(); ++i)
-    if (!paths[i].empty()) text += fmt::format("<path stroke=\"{}\" d=\"{}\"/>", kColours[i], paths[i]);
+    if (!paths[i].empty()) text += fmt::format("<path stroke=\"{}\" d=\"{}\"/>", kChangeColours[i], paths[i]);
   return text + "</g></svg>";
 }
 
@@ -76,7 +76,7 @@ std::string legend(const std::string& first) {
       "less than half as stiff,", "down to half,", "softer by up to 20 %,",    "alike within 2 %,",
       "stiffer by up to 25 %,",   "up to twice,",  "more than twice as stiff."};
   for (std::size_t i = 0; i < kWords.size(); ++i)
-    text += fmt::format("<span class=\"swatch\" style=\"background:{}\"></span>{} ", kColours[i], kWords[i]);
+    text += fmt::format("<span class=\"swatch\" style=\"background:{}\"></span>{} ", kChangeColours[i], kWords[i]);
   return text + "</p>\n";
 }
 

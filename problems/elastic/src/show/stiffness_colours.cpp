@@ -9,12 +9,13 @@
 
 #include <nodal/show/number_text.h>
 
+#include "show/measures.h"
+
 namespace nodal::elastic::show {
 
 namespace {
 
-constexpr double kBarHeight = 10.0, kLabelBaseline = 25.0, kScaleHeight = 29.0;
-constexpr double kLabelSize = 11.0;  // as .label in picture.css
+constexpr double kLabelBaseline = 25.0, kColourScaleHeight = 29.0;
 
 // "1", "0.01", "1e7".
 std::string power_of_ten_text(int power) { return figure_text(std::pow(10.0, power), 1); }
@@ -31,7 +32,7 @@ std::string end_labels(const StiffnessColours& colours, double width, std::vecto
 }
 
 std::string decades(const StiffnessColours& colours, double width, std::vector<Range>& taken) {
-  constexpr double kGap = 5.0;
+  constexpr double kLabelGap = 5.0;
   const double low = std::log10(colours.softest()), high = std::log10(colours.stiffest());
   std::string ticks, labels;
   for (int power = static_cast<int>(std::ceil(low)); power <= static_cast<int>(std::floor(high)); ++power) {
@@ -39,7 +40,7 @@ std::string decades(const StiffnessColours& colours, double width, std::vector<R
     ticks += move_to({x, kBarHeight}) + line_to({x, kBarHeight + 4.0});
     const std::string label = power_of_ten_text(power);
     const double half = 0.5 * text_width(label, kLabelSize);
-    const Range range = {x - half - kGap, x + half + kGap};
+    const Range range = {x - half - kLabelGap, x + half + kLabelGap};
     if (std::ranges::any_of(taken, [&](const Range& r) { return r.from < range.to && range.from < r.to; })) continue;
     taken.push_back({x - half, x + half});
     labels += text_at({x, kLabelBaseline}, label, "label", Anchor::middle);
@@ -95,7 +96,7 @@ Drawing colour_scale(const StiffnessColours& colours, double width) {
   std::vector<Range> taken;
   text += end_labels(colours, width, taken);
   text += decades(colours, width, taken);
-  return {text, width, kScaleHeight};
+  return {text, width, kColourScaleHeight};
 }
 
 }  // namespace nodal::elastic::show

@@ -10,19 +10,20 @@
 #include <fmt/format.h>
 
 #include <nodal/show/number_text.h>
+#include "show/measures.h"
 #include "show/picture_frame.h"
 
 namespace nodal::elastic::show {
 
 namespace {
 
-constexpr double kGap = 16.0, kPanelMargin = 6.0, kBarHeight = 10.0;
-constexpr double kHeadHeight = 22.0, kCaptionHeight = 38.0, kScaleHeight = 46.0;
-constexpr double kWideBody = 3.0;  // width over height: beyond, one below the other
-constexpr double kBelow = 0.99;    // what share of a body a scale has colours for
+constexpr double kPanelMargin = 6.0;
+constexpr double kHeadHeight = 22.0, kStressCaptionHeight = 38.0, kStressScaleHeight = 46.0;
+constexpr double kWideStress = 3.0;  // width over height: beyond, one below the other
+constexpr double kBelow = 0.99;      // what share of a body a scale has colours for
 
-constexpr std::array<const char*, 10> kColours = {"#fcf6c0", "#fedc9a", "#fec187", "#fca072", "#f57d62",
-                                                  "#e25b64", "#c23f73", "#992d80", "#6b1f80", "#3d1069"};
+constexpr std::array<const char*, 10> kStressColours = {"#fcf6c0", "#fedc9a", "#fec187", "#fca072", "#f57d62",
+                                                        "#e25b64", "#c23f73", "#992d80", "#6b1f80", "#3d1069"};
 
 // Pa in larger units.
 struct Unit {
@@ -66,9 +67,9 @@ class Scale {
     const std::vector<double> ones(stress.net.size(), 1.0);
     const double top = std::max(quantile(stress.body, areas, kBelow), quantile(stress.net, ones, kBelow));
     unit_ = unit_of(top);
-    if (top > 0.0) step_ = round_up(top / static_cast<double>(kColours.size()));
-    bands_ =
-        std::clamp<std::size_t>(static_cast<std::size_t>(std::ceil(top / step_ * (1.0 - 1e-9))), 1, kColours.size());
+    if (top > 0.0) step_ = round_up(top / static_cast<double>(kStressColours.size()));
+    bands_ = std::clamp<std::size_t>(static_cast<std::size_t>(std::ceil(top / step_ * (1.0 - 1e-9))), 1,
+                                     kStressColours.size());
   }
 
   [[nodiscard]] std::size_t band(double stress) const {
@@ -76,14 +77,14 @@ class Scale {
   }
   // Few bands have colours as far from each other as they can be.
   [[nodiscard]] const char* colour(std::size_t band) const {
-    return kColours[bands_ > 1 ? band * (kColours.size() - 1) / (bands_ - 1) : kColours.size() / 2];
+    return kStressColours[bands_ > 1 ? band * (kStressColours.size() - 1) / (bands_ - 1) : kStressColours.size() / 2];
   }
   [[nodiscard]] std::size_t bands() const noexcept { return bands_; }
   [[nodiscard]] std::string title() const { return fmt::format("Von Mises stress [{}]: ", unit_.name); }
   [[nodiscard]] std::string text(double stress) const { return figure_text(stress / unit_.size, 3) + " " + unit_.name; }
 
   [[nodiscard]] Drawing drawn(double width) const {
-    Drawing scale{"", width, kScaleHeight};
+    Drawing scale{"", width, kStressScaleHeight};
     const double across = width / static_cast<double>(bands_);
     for (std::size_t b = 0; b <= bands_; ++b) {
       const double x = across * static_cast<double>(b);
@@ -174,17 +175,17 @@ std::string captioned(const std::string& panel, const Frame& frame, double x, do
 
 Drawing panels_of(const Picture& picture, const PicturedStress& stress, double width) {
   const plane::Box box = plane::bounding_box(picture.rings.front());
-  const bool below = box.width() > kWideBody * box.height();
+  const bool below = box.width() > kWideStress * box.height();
   const Frame frame = fit_frame(box, below ? width : 0.5 * (width - kGap), kPanelMargin, 0.0);
   const Scale scale(stress);
   Drawing drawing{text_at({0.0, 14.0}, shortened(scale.title() + stress.load, width, 13.5), "name"), width,
                   kHeadHeight};
   drawing.text += captioned(body_panel(picture, stress, frame, scale), frame, 0.0, drawing.height,
                             "body, by finite elements: up to " + scale.text(largest_of(stress.body)));
-  if (below) drawing.height += frame.height + kCaptionHeight;
+  if (below) drawing.height += frame.height + kStressCaptionHeight;
   drawing.text += captioned(net_panel(picture, stress, frame, scale), frame, below ? 0.0 : frame.width + kGap,
                             drawing.height, "springs, by node: up to " + scale.text(largest_of(stress.net)));
-  drawing.height += frame.height + kCaptionHeight;
+  drawing.height += frame.height + kStressCaptionHeight;
   const Drawing bar = scale.drawn(width);
   drawing.text += fmt::format("<g transform=\"translate(0 {:.1f})\">{}</g>\n", drawing.height, bar.text);
   drawing.height += bar.height;

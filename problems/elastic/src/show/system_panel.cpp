@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <nodal/show/number_text.h>
+#include "show/measures.h"
 #include "show/panels.h"
 
 namespace nodal::elastic::show {
@@ -12,7 +13,6 @@ namespace nodal::elastic::show {
 namespace {
 
 constexpr double kStrip = 22.0;      // below the drawing, for the scales
-constexpr double kLabelSize = 11.0;  // as .label in picture.css
 constexpr double kDotSpacing = 3.0;  // between nodes, where dots and cells can still be told apart
 constexpr double kNoMass = 3.0;      // radius of the ring around a node whose mass isn't positive
 

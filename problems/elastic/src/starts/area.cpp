@@ -7,6 +7,7 @@
 #include <nodal/error.h>
 
 #include "springs/connections.h"
+#include "starts/diagonal.h"
 #include "starts/relative_stiffness.h"
 #include "starts/start_rule.h"
 #include "starts/triangle_area.h"
@@ -16,8 +17,6 @@ namespace nodal::elastic {
 namespace {
 
 bool horizontal(const Spring& s) { return s.direction[1] == 0.0; }
-bool vertical(const Spring& s) { return s.direction[0] == 0.0; }
-bool diagonal(const Spring& s) { return !horizontal(s) && !vertical(s); }
 
 // Cells that have the spring on their border (1 or 2), 0 for a diagonal.
 double cells_beside(const Net& net, const Spring& s) {

@@ -13,6 +13,7 @@
 #include <nodal/error.h>
 
 #include "springs/connections.h"
+#include "starts/diagonal.h"
 #include "starts/start_rule.h"
 #include "starts/triangle_area.h"
 
@@ -21,11 +22,9 @@ namespace nodal::elastic {
 namespace {
 
 // Of lengths and areas: places are known to within 1e-9 of the body.
-constexpr double kAgreement = 1e-8;
+constexpr double kLengthAgreement = 1e-8;
 
-bool diagonal(const Spring& s) { return s.direction[0] != 0.0 && s.direction[1] != 0.0; }
-
-bool agree(double a, double b) { return std::abs(a - b) <= kAgreement * std::abs(b); }
+bool agree(double a, double b) { return std::abs(a - b) <= kLengthAgreement * std::abs(b); }
 
 bool fills_the_body(const Net& net, double area) {
   return net.body.has_outline() && agree(area, plane::moments(net.body.rings).area);

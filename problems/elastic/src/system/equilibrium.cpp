@@ -9,17 +9,17 @@
 
 #include <fmt/format.h>
 
+#include "geometry/epsilon.h"
+
 namespace nodal::elastic {
 
 namespace {
-
-constexpr double kRounding = std::numeric_limits<double>::epsilon();
 
 // In a race a value is refined only where a plain solve may be off by more than this.
 constexpr double kRaceAccuracy = 1e-10;
 
 // Below this, squares have lost digits that a sum of them may need.
-constexpr double kSmallestSafeSquare = std::numeric_limits<double>::min() / kRounding;
+constexpr double kSmallestSafeSquare = std::numeric_limits<double>::min() / kEpsilon;
 
 // A first correction this large left no digit to build on: refinement may settle, but on what, nobody can vouch for.
 constexpr double kNoDigits = 0.1;
@@ -185,7 +185,7 @@ void EquilibriumGroup::assemble(std::span<const double> stiffness, std::span<dou
 }
 
 bool plain_solve_loses(std::size_t unknowns, double smallest_pivot_ratio) noexcept {
-  return kRounding * static_cast<double>(unknowns) > kRaceAccuracy * smallest_pivot_ratio;
+  return kEpsilon * static_cast<double>(unknowns) > kRaceAccuracy * smallest_pivot_ratio;
 }
 
 Equilibrium::Equilibrium(const EquilibriumGroup& group)
@@ -273,7 +273,7 @@ double Equilibrium::correct(std::vector<Real>& residual) {
 
 Status Equilibrium::refusal(double first_correction) {
   const Cholesky::WeakestPivot weakest = factor_.weakest_pivot();
-  const bool lost = weakest.ratio <= kRounding * static_cast<double>(group_.free());
+  const bool lost = weakest.ratio <= kEpsilon * static_cast<double>(group_.free());
   if (!lost || std::abs(first_correction - 1.0) > kHeldByRounding) return Status::ill_conditioned;
   failed_position_ = weakest.position;
   return Status::not_positive_definite;
@@ -291,7 +291,7 @@ double Equilibrium::error_squared(std::span<const double> correction) {
       step += group_.weights()[i] * correction[l * free + i] * correction[l * free + i];
       size += group_.weights()[i] * u[i] * u[i];
     }
-    const double error = 2.0 * std::sqrt(step) + 4.0 * kRounding * std::sqrt(size);
+    const double error = 2.0 * std::sqrt(step) + 4.0 * kEpsilon * std::sqrt(size);
     total += error * error;
   }
   return total;
@@ -299,7 +299,7 @@ double Equilibrium::error_squared(std::span<const double> correction) {
 
 Refinement Equilibrium::refine() {
   constexpr int kSteps = 60;  // each at least halves the correction: enough from the first digit to the last
-  constexpr double kAtRounding = 8.0 * kRounding;  // a correction this small is noise: nothing is left to gain
+  constexpr double kAtRounding = 8.0 * kEpsilon;  // a correction this small is noise: nothing is left to gain
   Refinement result;
   if (first_correction_ > kNoDigits) {
     result.error_estimate = first_correction_;
@@ -312,7 +312,7 @@ Refinement Equilibrium::refine() {
     if (step == 0) result.error_estimate = std::max(size, first_correction_);
     result.residual = last_residual_;
     const bool stalled = step > 0 && size > 0.5 * previous;
-    if (!(result.error_estimate <= kNoDigits) || !std::isfinite(size) || (stalled && size > 1e3 * kRounding)) {
+    if (!(result.error_estimate <= kNoDigits) || !std::isfinite(size) || (stalled && size > 1e3 * kEpsilon)) {
       result.status = refusal(result.error_estimate);
       return result;
     }

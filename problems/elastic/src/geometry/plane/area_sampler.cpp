@@ -8,7 +8,7 @@ namespace nodal::elastic::plane {
 
 namespace {
 
-struct Side {
+struct SlantedSide {
   Point low, high;  // by height
 
   [[nodiscard]] double x_at(double y) const {
@@ -17,22 +17,22 @@ struct Side {
   }
 };
 
-std::vector<Side> slanted_sides(const Outline& outline) {
-  std::vector<Side> sides;
+std::vector<SlantedSide> slanted_sides(const Outline& outline) {
+  std::vector<SlantedSide> sides;
   for (std::size_t r = 0; r < outline.rings(); ++r) {
     const RingTree& ring = outline.ring(r);
     for (std::size_t i = 0; i < ring.sides(); ++i) {
       const Point &p = ring.vertex(i), &q = ring.vertex(i + 1);
-      if (p[1] != q[1]) sides.push_back(p[1] < q[1] ? Side{p, q} : Side{q, p});
+      if (p[1] != q[1]) sides.push_back(p[1] < q[1] ? SlantedSide{p, q} : SlantedSide{q, p});
     }
   }
-  std::ranges::sort(sides, {}, [](const Side& s) { return s.low[1]; });
+  std::ranges::sort(sides, {}, [](const SlantedSide& s) { return s.low[1]; });
   return sides;
 }
 
-std::vector<double> heights_of(const std::vector<Side>& sides) {
+std::vector<double> heights_of(const std::vector<SlantedSide>& sides) {
   std::vector<double> heights;
-  for (const Side& s : sides) heights.insert(heights.end(), {s.low[1], s.high[1]});
+  for (const SlantedSide& s : sides) heights.insert(heights.end(), {s.low[1], s.high[1]});
   std::ranges::sort(heights);
   heights.erase(std::unique(heights.begin(), heights.end()), heights.end());
   return heights;
@@ -41,17 +41,17 @@ std::vector<double> heights_of(const std::vector<Side>& sides) {
 }  // namespace
 
 AreaSampler::AreaSampler(const Outline& outline) {
-  const std::vector<Side> sides = slanted_sides(outline);
+  const std::vector<SlantedSide> sides = slanted_sides(outline);
   const std::vector<double> heights = heights_of(sides);
-  std::vector<const Side*> across;  // the sides between two heights
+  std::vector<const SlantedSide*> across;  // the sides between two heights
   std::size_t next = 0;
   double area = 0.0;
   for (std::size_t k = 0; k + 1 < heights.size(); ++k) {
     const double low = heights[k], high = heights[k + 1], middle = 0.5 * (low + high);
-    std::erase_if(across, [&](const Side* s) { return s->high[1] <= low; });
+    std::erase_if(across, [&](const SlantedSide* s) { return s->high[1] <= low; });
     for (; next < sides.size() && sides[next].low[1] <= low; ++next) across.push_back(&sides[next]);
     // From left to right they enter and leave the body in turn.
-    std::ranges::sort(across, {}, [middle](const Side* s) { return s->x_at(middle); });
+    std::ranges::sort(across, {}, [middle](const SlantedSide* s) { return s->x_at(middle); });
     for (std::size_t i = 0; i + 1 < across.size(); i += 2) {
       const Trapezoid t = {
           low, high, across[i]->x_at(low), across[i]->x_at(high), across[i + 1]->x_at(low), across[i + 1]->x_at(high)};

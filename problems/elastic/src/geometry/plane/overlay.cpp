@@ -9,7 +9,7 @@ namespace nodal::elastic::plane {
 namespace {
 
 // A side that isn't level, from its lower end up.
-struct Side {
+struct LayerSide {
   Point low, high;
   std::size_t layer;  // 0 the body, else 1 + the index
 
@@ -21,18 +21,18 @@ struct Side {
 };
 
 // Those that stand beside the box or left of it; others decide nothing within.
-void add_sides(const Layer& layer, std::size_t index, const Box& box, std::vector<Side>& sides) {
+void add_sides(const Layer& layer, std::size_t index, const Box& box, std::vector<LayerSide>& sides) {
   for (const Ring& ring : layer)
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const Point &p = ring[i], &q = ring[(i + 1) % ring.size()];
       if (p[1] == q[1] || std::min(p[0], q[0]) > box.high[0]) continue;
-      const Side side = p[1] < q[1] ? Side{p, q, index} : Side{q, p, index};
+      const LayerSide side = p[1] < q[1] ? LayerSide{p, q, index} : LayerSide{q, p, index};
       if (side.high[1] > box.low[1] && side.low[1] < box.high[1]) sides.push_back(side);
     }
 }
 
 // Where two sides cross, if they do between their ends.
-void add_crossing(const Side& s, const Side& t, std::vector<double>& heights) {
+void add_crossing(const LayerSide& s, const LayerSide& t, std::vector<double>& heights) {
   const double low = std::max(s.low[1], t.low[1]), high = std::min(s.high[1], t.high[1]);
   const double below = s.at(low) - t.at(low), above = s.at(high) - t.at(high);
   if ((below < 0.0 && above > 0.0) || (below > 0.0 && above < 0.0))
@@ -40,12 +40,12 @@ void add_crossing(const Side& s, const Side& t, std::vector<double>& heights) {
 }
 
 // Ascending, each once; `sides` ascend by their lower ends.
-std::vector<double> heights_of(const std::vector<Side>& sides, const Box& box) {
+std::vector<double> heights_of(const std::vector<LayerSide>& sides, const Box& box) {
   std::vector<double> heights;
-  std::vector<const Side*> active;
-  for (const Side& side : sides) {
-    std::erase_if(active, [&](const Side* other) { return other->high[1] <= side.low[1]; });
-    for (const Side* other : active) add_crossing(side, *other, heights);
+  std::vector<const LayerSide*> active;
+  for (const LayerSide& side : sides) {
+    std::erase_if(active, [&](const LayerSide* other) { return other->high[1] <= side.low[1]; });
+    for (const LayerSide* other : active) add_crossing(side, *other, heights);
     active.push_back(&side);
     heights.push_back(side.low[1]);
     heights.push_back(side.high[1]);
@@ -94,21 +94,21 @@ std::vector<Moments> overlay_moments(const Layer& body, const std::vector<Layer>
   std::vector<Point> vertices;
   for (const Ring& ring : body) vertices.insert(vertices.end(), ring.begin(), ring.end());
   const Box box = bounding_box(vertices);
-  std::vector<Side> sides;
+  std::vector<LayerSide> sides;
   add_sides(body, 0, box, sides);
   for (std::size_t k = 0; k < layers.size(); ++k) add_sides(layers[k], k + 1, box, sides);
-  std::ranges::sort(sides, {}, [](const Side& side) { return side.low[1]; });
+  std::ranges::sort(sides, {}, [](const LayerSide& side) { return side.low[1]; });
   const std::vector<double> heights = heights_of(sides, box);
   std::vector<char> inside(parts.size());
-  std::vector<const Side*> active;
+  std::vector<const LayerSide*> active;
   std::size_t next = 0;
   std::vector<Crossing> crossings;
   for (std::size_t h = 0; h + 1 < heights.size(); ++h) {
     const double low = heights[h], high = heights[h + 1];
     for (; next < sides.size() && sides[next].low[1] <= low; ++next) active.push_back(&sides[next]);
-    std::erase_if(active, [&](const Side* side) { return side->high[1] <= low; });
+    std::erase_if(active, [&](const LayerSide* side) { return side->high[1] <= low; });
     crossings.clear();
-    for (const Side* side : active) crossings.push_back({side->at(low), side->at(high), side->layer});
+    for (const LayerSide* side : active) crossings.push_back({side->at(low), side->at(high), side->layer});
     add_strip(crossings, low, high, origin, inside, parts);
   }
   return parts;

@@ -11,7 +11,7 @@ namespace nodal::elastic::plane {
 namespace {
 
 // A side with its box: along the axis that is swept, and across it.
-struct Side {
+struct BoxedSide {
   Point p, q;
   RingPlace place;
   std::size_t ring_size;
@@ -19,7 +19,7 @@ struct Side {
   double low, high, low_across, high_across;
 };
 
-bool neighbours(const Side& a, const Side& b) {
+bool neighbours(const BoxedSide& a, const BoxedSide& b) {
   if (a.place.ring != b.place.ring) return false;
   const std::size_t n = a.ring_size, i = a.place.index, j = b.place.index;
   return (i + 1) % n == j || (j + 1) % n == i;
@@ -30,11 +30,11 @@ double area_sign(const Point& a, const Point& b, const Point& c) {
   return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
 }
 
-RingPlace end_of(const Side& side, bool second) {
+RingPlace end_of(const BoxedSide& side, bool second) {
   return {side.place.ring, second ? (side.place.index + 1) % side.ring_size : side.place.index};
 }
 
-std::optional<SideConflict> same_vertex(const Side& a, const Side& b, double tolerance) {
+std::optional<SideConflict> same_vertex(const BoxedSide& a, const BoxedSide& b, double tolerance) {
   for (const bool end_a : {false, true})
     for (const bool end_b : {false, true}) {
       const RingPlace first = end_of(a, end_a), second = end_of(b, end_b);
@@ -45,7 +45,7 @@ std::optional<SideConflict> same_vertex(const Side& a, const Side& b, double tol
   return {};
 }
 
-std::optional<SideConflict> vertex_on_side(const Side& a, const Side& b, double tolerance) {
+std::optional<SideConflict> vertex_on_side(const BoxedSide& a, const BoxedSide& b, double tolerance) {
   for (const bool end : {false, true})
     if (const Point& at = end ? a.q : a.p; distance_to_segment(at, b.p, b.q) <= tolerance)
       return SideConflict{SideConflict::Kind::vertex_on_side, end_of(a, end), b.place, at};
@@ -53,12 +53,12 @@ std::optional<SideConflict> vertex_on_side(const Side& a, const Side& b, double 
 }
 
 // All of `a` lies to one side of the line through `b`, and keeps the tolerance from it: what most pairs end with.
-bool clear_of(const Side& a, const Side& b, double tolerance) {
+bool clear_of(const BoxedSide& a, const BoxedSide& b, double tolerance) {
   const double p = area_sign(b.p, b.q, a.p), q = area_sign(b.p, b.q, a.q), least = tolerance * b.length;
   return (p > least && q > least) || (p < -least && q < -least);
 }
 
-std::optional<SideConflict> crossing(const Side& a, const Side& b) {
+std::optional<SideConflict> crossing(const BoxedSide& a, const BoxedSide& b) {
   const double p = area_sign(b.p, b.q, a.p), q = area_sign(b.p, b.q, a.q);
   if ((p > 0.0) == (q > 0.0) || (area_sign(a.p, a.q, b.p) > 0.0) == (area_sign(a.p, a.q, b.q) > 0.0)) return {};
   const bool in_order = std::tie(a.place.ring, a.place.index) < std::tie(b.place.ring, b.place.index);
@@ -66,7 +66,7 @@ std::optional<SideConflict> crossing(const Side& a, const Side& b) {
                       at_share(a.p, a.q, p / (p - q))};
 }
 
-std::optional<SideConflict> conflict_of(const Side& a, const Side& b, double tolerance) {
+std::optional<SideConflict> conflict_of(const BoxedSide& a, const BoxedSide& b, double tolerance) {
   if (neighbours(a, b) || clear_of(a, b, tolerance) || clear_of(b, a, tolerance)) return {};
   if (const auto found = same_vertex(a, b, tolerance)) return found;
   if (const auto found = vertex_on_side(a, b, tolerance)) return found;
@@ -84,9 +84,9 @@ std::size_t axis_to_sweep(const std::vector<Ring>& rings) {
   return extent[0] <= extent[1] ? 0 : 1;
 }
 
-std::vector<Side> sides_in_order(const std::vector<Ring>& rings) {
+std::vector<BoxedSide> sides_in_order(const std::vector<Ring>& rings) {
   const std::size_t axis = axis_to_sweep(rings), across = 1 - axis;
-  std::vector<Side> sides;
+  std::vector<BoxedSide> sides;
   for (std::size_t r = 0; r < rings.size(); ++r)
     for (std::size_t i = 0; i < rings[r].size(); ++i) {
       const Point &p = rings[r][i], &q = rings[r][(i + 1) % rings[r].size()];
@@ -101,21 +101,21 @@ std::vector<Side> sides_in_order(const std::vector<Ring>& rings) {
                        std::max(p[across], q[across])});
     }
   std::ranges::sort(sides, {},
-                    [](const Side& side) { return std::tuple(side.low, side.place.ring, side.place.index); });
+                    [](const BoxedSide& side) { return std::tuple(side.low, side.place.ring, side.place.index); });
   return sides;
 }
 
 }  // namespace
 
 std::optional<SideConflict> find_side_conflict(const std::vector<Ring>& rings, double tolerance) {
-  const std::vector<Side> sides = sides_in_order(rings);
+  const std::vector<BoxedSide> sides = sides_in_order(rings);
   // Those that the sweep hasn't left behind; only what tells most pairs apart, since there may be many.
   struct Active {
     double high, low_across, high_across;
-    const Side* side;
+    const BoxedSide* side;
   };
   std::vector<Active> active;
-  for (const Side& side : sides) {
+  for (const BoxedSide& side : sides) {
     const double left_behind = side.low - tolerance;
     const double low_across = side.low_across - tolerance, high_across = side.high_across + tolerance;
     std::size_t kept = 0;
