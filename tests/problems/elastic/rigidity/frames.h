@@ -3,12 +3,7 @@
 
 /// Nets by hand for the tests of rigidity, and their rank by a dense decomposition.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <vector>
-
-#include <Eigen/SVD>
 
 #include "rigidity/rigidity.h"
 
@@ -23,25 +18,6 @@ struct Frame {
 
 /// Of the rigidity matrix without the fixed freedoms. Singular values between noise and 1e-6 would make a comparison
 /// moot, so they fail the test.
-inline std::size_t dense_rank(const Structure& structure, const std::vector<std::size_t>& fixed) {
-  const Freedoms freedoms = structure.freedoms();
-  const auto index = [](std::size_t i) { return static_cast<Eigen::Index>(i); };
-  Eigen::MatrixXd b =
-      Eigen::MatrixXd::Zero(index(std::max<std::size_t>(structure.springs.size(), 1)), index(freedoms.size()));
-  for (std::size_t e = 0; e < structure.springs.size(); ++e)
-    for (std::size_t axis = 0; axis < freedoms.dimension; ++axis) {
-      const Spring& s = structure.springs[e];
-      b(index(e), index(freedoms.at(s.first, axis))) = -s.direction[axis];
-      b(index(e), index(freedoms.at(s.second, axis))) = s.direction[axis];
-    }
-  for (const std::size_t f : fixed) b.col(index(f)).setZero();
-  const Eigen::VectorXd values = Eigen::BDCSVD<Eigen::MatrixXd>(b).singularValues();
-  std::size_t rank = 0;
-  for (const double value : values) {
-    EXPECT_TRUE(value < 1e-12 || value > 1e-6) << value;
-    rank += value > 1e-9;
-  }
-  return rank;
-}
+[[nodiscard]] std::size_t dense_rank(const Structure& structure, const std::vector<std::size_t>& fixed);
 
 }  // namespace nodal::elastic
