@@ -62,7 +62,7 @@ std::string reached_text(const OptimizerRow& row, double gap) {
   return seconds ? seconds_text(*seconds) : "never";
 }
 
-std::string success_text(const OptimizerRow& row) {
+std::string reached_of_runs(const OptimizerRow& row) {
   const TargetRow& target = row.target(kDefaultGap);
   return fmt::format("{} of {}", target.reached, target.runs);
 }
@@ -123,7 +123,7 @@ void add_targets(std::vector<Filler>& fillers, const OptimizerRow* baseline, dou
   if (default_gap)
     fillers.push_back({{"reached", gap_text(kDefaultGap),
                         "success: distinct runs that reached this gap, of all; repeats that did the same count once"},
-                       success_text,
+                       reached_of_runs,
                        [](const OptimizerRow& r) { return std::optional(r.target(kDefaultGap).success_rate); }});
   fillers.push_back(
       {{"runs", "", "trials stored; det.: a deterministic method, whose repeats from one start measure time"},

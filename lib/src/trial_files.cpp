@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::size_t kMostOfAReason = 200;
+constexpr std::size_t kMostOfAnError = 200;
 
 constexpr const char* kFolder = "trials";
 constexpr std::uintmax_t kLargestTrialsFile = std::uintmax_t{1} << 34;  // 16 GB: a record is a few kB
@@ -80,7 +80,7 @@ void read_line(const std::string& where, std::string_view line, const Each& each
     // After "where: ", or "where:1: " with the line within the record.
     const std::size_t colon = what.starts_with(where) ? what.find(": ", where.size()) : std::string_view::npos;
     const std::string_view reason = what.substr(colon == std::string_view::npos ? 0 : colon + 2);
-    result.torn.push_back({where, key_in(line), cut_off ? "" : fmt::format(" ({})", shown(reason, kMostOfAReason))});
+    result.torn.push_back({where, key_in(line), cut_off ? "" : fmt::format(" ({})", shown(reason, kMostOfAnError))});
   }
 }
 

@@ -17,7 +17,7 @@ namespace nodal {
 namespace {
 
 constexpr double kManyTimes = 3.0;  // the fitted error
-constexpr int kDigits = 3;
+constexpr int kErrorDigits = 3;
 
 template <class Counts>
 double error_of_those(const std::vector<double>& errors, Counts counts) {
@@ -27,7 +27,7 @@ double error_of_those(const std::vector<double>& errors, Counts counts) {
   return unseen_error(counted);
 }
 
-std::string text(double error) { return figure_text(error, kDigits); }
+std::string text(double error) { return figure_text(error, kErrorDigits); }
 
 }  // namespace
 

@@ -13,8 +13,8 @@ namespace nodal::elastic {
 
 namespace {
 
-constexpr double kSameLength = 1e-9;
-constexpr double kSameDirection = 1e-7;  // degrees; rounding of coordinates, not a difference that anybody means
+constexpr double kOneLength = 1e-9;
+constexpr double kOneDirection = 1e-7;  // degrees; rounding of coordinates, not a difference that anybody means
 
 std::string range(double low, double high, const char* unit) {
   const std::string from = fmt::format("{:.4g}", low), to = fmt::format("{:.4g}", high);
@@ -25,7 +25,7 @@ std::string range(double low, double high, const char* unit) {
 double degrees(const Spring& s) {
   double angle = std::atan2(s.direction[1], s.direction[0]) * 180.0 / std::numbers::pi;
   if (angle < 0.0) angle += 180.0;
-  return angle >= 180.0 - kSameDirection ? 0.0 : angle;
+  return angle >= 180.0 - kOneDirection ? 0.0 : angle;
 }
 
 using Sorted = std::vector<std::pair<double, std::size_t>>;  // value, spring
@@ -36,7 +36,7 @@ void open_at_widest_gap(Sorted& angles) {
   double widest = angles.front().first + 180.0 - angles.back().first;
   for (std::size_t k = 1; k < angles.size(); ++k) {
     const double gap = angles[k].first - angles[k - 1].first;
-    if (gap > widest + kSameDirection) {
+    if (gap > widest + kOneDirection) {
       widest = gap;
       first = k;
     }
@@ -52,10 +52,10 @@ std::vector<std::size_t> divide(const Sorted& angles, double tolerance) {
     std::size_t end = begin + 1;
     while (end < angles.size() && angles[end].first - angles[end - 1].first <= tolerance) ++end;
     const double start = angles[begin].first, width = angles[end - 1].first - start;
-    const double parts = std::max(1.0, std::ceil((width - kSameDirection) / tolerance));
+    const double parts = std::max(1.0, std::ceil((width - kOneDirection) / tolerance));
     // Directions that are equal but for rounding stay together, also where a part ends.
     const auto part = [&](std::size_t k) {
-      return parts > 1.0 ? std::min(parts - 1.0, std::floor((angles[k].first - start + kSameDirection) * parts / width))
+      return parts > 1.0 ? std::min(parts - 1.0, std::floor((angles[k].first - start + kOneDirection) * parts / width))
                          : 0.0;
     };
     for (std::size_t k = begin; k < end; ++k)
@@ -84,7 +84,7 @@ Lengths distinct_lengths(const Sorted& sorted) {
   const double middle = sorted[sorted.size() / 2].first;
   for (std::size_t begin = 0; begin < sorted.size();) {
     std::size_t end = begin + 1;
-    while (end < sorted.size() && sorted[end].first - sorted[end - 1].first <= kSameLength) ++end;
+    while (end < sorted.size() && sorted[end].first - sorted[end - 1].first <= kOneLength) ++end;
     const double x = 0.5 * (sorted[begin].first + sorted[end - 1].first) - middle, w = static_cast<double>(end - begin);
     lengths.begins.push_back(begin);
     lengths.logarithm.push_back(x);
@@ -138,13 +138,13 @@ SpringClasses classes_by_direction(const std::vector<Spring>& springs, double to
   for (std::size_t e = 0; e < springs.size(); ++e) angles.emplace_back(degrees(springs[e]), e);
   std::ranges::sort(angles);
   open_at_widest_gap(angles);
-  const std::vector<std::size_t> begins = divide(angles, std::max(tolerance, kSameDirection));
+  const std::vector<std::size_t> begins = divide(angles, std::max(tolerance, kOneDirection));
 
   classes.of.resize(springs.size());
   for (std::size_t c = 0; c < begins.size(); ++c) {
     const std::size_t begin = begins[c], end = c + 1 < begins.size() ? begins[c + 1] : angles.size();
     for (std::size_t k = begin; k < end; ++k) classes.of[angles[k].second] = c;
-    const double turns = angles[begin].first >= 180.0 - kSameDirection ? 180.0 : 0.0;
+    const double turns = angles[begin].first >= 180.0 - kOneDirection ? 180.0 : 0.0;
     classes.names.push_back(range(angles[begin].first - turns, angles[end - 1].first - turns, "°"));
   }
   return classes;

@@ -99,7 +99,7 @@ PolygonShape read_polygon(const Options& region, const std::string& name) {
 }
 
 // Of the region's own file, or of the body's.
-PolygonShape read_file(const RegionReader& reader, const Options& region, const std::string& name) {
+PolygonShape read_feature(const RegionReader& reader, const Options& region, const std::string& name) {
   const Options body = reader.problem.table("body");
   const bool own = region.has("file");
   if (!own && !body.has("file"))
@@ -123,7 +123,7 @@ RegionShape read_shape(const RegionReader& reader, const Options& region, const 
   if (shape == "half_plane") return read_half_plane(region.table("half_plane"), name);
   if (shape == "box") return read_box(region.at("box"), name, reader.in_space());
   if (shape == "polygon") return read_polygon(region, name);
-  return read_file(reader, region, name);
+  return read_feature(reader, region, name);
 }
 
 // The body's name is taken, since explanations call what no region covers so.

@@ -18,6 +18,8 @@ namespace nodal::elastic {
 
 namespace {
 
+using Method = ReferenceChoice::Method;
+
 void refuse_key(const Options& table, const char* key, const char* instead) {
   if (table.has(key))
     throw InputError(table.at(key).source, fmt::format("'{}' belongs to the basic loads, and this study has cases of "
@@ -107,7 +109,7 @@ Found read_set(const Options& problem, const ProblemContext& context, References
   if (loads.has("cases"))
     throw InputError(loads.at("cases").source,
                      fmt::format("set = \"{}\" has no cases of its own; leave 'set' out", loads.text("set")));
-  if (references.choice().method == ReferenceChoice::Method::none)
+  if (references.choice().method == Method::none)
     throw InputError(references.choice().source, "method = \"none\" is for loads of your own; leave 'method' out");
   const Options reference = problem.table("reference");
   const std::vector<LoadSpec> specs = read_basic_loads(loads, scene, account);
@@ -164,7 +166,6 @@ std::string why_no_answer(const std::vector<PlacedLoad>& loads, const References
 
 Found read_own_loads(const Options& problem, const ProblemContext& context, References& references, Scene& scene,
                      Account& account) {
-  using Method = ReferenceChoice::Method;
   const std::vector<OwnCase> cases = read_described(problem.table("loads"), scene, account);
   std::vector<PlacedLoad> placed;
   std::vector<Source> sources;

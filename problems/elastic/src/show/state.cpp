@@ -128,7 +128,7 @@ Value unseen_json(const ElasticProblem& problem, const State& state, const NodeV
   return unseen;
 }
 
-double largest(const std::vector<double>& values) {
+double largest_magnitude(const std::vector<double>& values) {
   double most = 0.0;
   for (const double v : values) most = std::max(most, std::abs(v));
   return most;
@@ -197,7 +197,7 @@ std::string unseen_table(const State& state) {
                                  "largest displacement [m]", "largest bearing force [N]");
   for (const LoadState& load : state.unseen)
     text += fmt::format("{:<12} {:>14.6g} {:>14.6g} {:>24.6g} {:>26.6g}\n", load.name, load.relative_error,
-                        load.quality, largest(load.displacement), largest(load.bearing));
+                        load.quality, largest_magnitude(load.displacement), largest_magnitude(load.bearing));
   return text;
 }
 
@@ -231,8 +231,8 @@ std::string compared_text(const ElasticProblem& problem, std::span<const double>
   text += fmt::format("\n{:<12} {:>14} {:>24} {:>26}\n", "load", "G", "largest displacement [m]",
                       "largest bearing force [N]");
   for (const LoadState& load : state.loads)
-    text += fmt::format("{:<12} {:>14.6g} {:>24.6g} {:>26.6g}\n", load.name, load.quality, largest(load.displacement),
-                        largest(load.bearing));
+    text += fmt::format("{:<12} {:>14.6g} {:>24.6g} {:>26.6g}\n", load.name, load.quality,
+                        largest_magnitude(load.displacement), largest_magnitude(load.bearing));
   return text + unseen_table(state) + stress_table(problem, state);
 }
 
