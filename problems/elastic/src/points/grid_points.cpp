@@ -15,7 +15,7 @@ namespace nodal::elastic::plane {
 
 namespace {
 
-constexpr double kMostNodes = 4e6;
+constexpr double kMostPlaces = 4e6;
 
 // The lattice over the bounding box.
 struct Lattice {
@@ -47,9 +47,9 @@ Lattice make_lattice(const Outline& outline, const Point& spacing, GridCells cel
   const Box& box = outline.box();
   const double columns = std::floor((box.width() + outline.tolerance()) / step[0]) + 1.0;
   const double rows = std::floor((box.height() + outline.tolerance()) / step[1]) + 1.0;
-  if (!(columns * rows <= kMostNodes))
+  if (!(columns * rows <= kMostPlaces))
     throw Refusal(fmt::format("a spacing of {} × {} asks for a grid of {:.3g} nodes; at most four million are made",
-                              step[0], step[1], columns * rows, kMostNodes));
+                              step[0], step[1], columns * rows, kMostPlaces));
   const Lattice lattice{box.low, step, static_cast<std::size_t>(columns), static_cast<std::size_t>(rows)};
   if (!triangular) return lattice;
   Lattice odd = lattice, even = lattice;

@@ -15,7 +15,7 @@ namespace nodal::elastic {
 
 namespace {
 
-double dot(std::span<const double> a, std::span<const double> b) {
+double scalar_product(std::span<const double> a, std::span<const double> b) {
   double sum = 0.0;
   for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
   return sum;
@@ -137,12 +137,12 @@ class ProjectedNewton {
     for (std::size_t e = 0; e < n; ++e) residual[e] = free_[e] ? -gradient_[e] : 0.0;
     precondition();
     direction = preconditioned;
-    double rho = dot(residual, preconditioned);
+    double rho = scalar_product(residual, preconditioned);
     const double wanted = rho * 1e-8;
     for (std::size_t iteration = 0; iteration < 4 * n && rho > wanted; ++iteration) {
       energy_.hessian_product(direction, product);
       for (std::size_t e = 0; e < n; ++e) product[e] = free_[e] ? product[e] + floor_of(e) * direction[e] : 0.0;
-      const double slope = dot(direction, product);
+      const double slope = scalar_product(direction, product);
       if (!(slope > 0.0)) break;
       const double length = rho / slope;
       for (std::size_t e = 0; e < n; ++e) {
@@ -150,7 +150,7 @@ class ProjectedNewton {
         residual[e] -= length * product[e];
       }
       precondition();
-      const double next = dot(residual, preconditioned);
+      const double next = scalar_product(residual, preconditioned);
       for (std::size_t e = 0; e < n; ++e) direction[e] = preconditioned[e] + next / rho * direction[e];
       rho = next;
     }

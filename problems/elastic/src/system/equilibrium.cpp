@@ -72,7 +72,7 @@ std::vector<Nonzero> couplings(const Scene& scene, const std::vector<bool>& fixe
 }
 
 // Squares of extreme numbers leave the range of doubles: only then they are scaled first.
-double norm(std::span<const double> v) {
+double safe_norm(std::span<const double> v) {
   double sum = 0.0;
   for (const double x : v) sum += x * x;
   if (std::isnormal(sum) && sum > kSmallestSafeSquare) return std::sqrt(sum);
@@ -87,7 +87,7 @@ double norm(std::span<const double> v) {
 // The first spring, force or support that nothing can be computed with.
 std::string find_flaw(const Scene& scene, std::size_t group) {
   for (const Spring& s : scene.net.springs)
-    if (!std::isfinite(norm(s.direction)))
+    if (!std::isfinite(safe_norm(s.direction)))
       return fmt::format("spring ({}, {}) has no direction: its ends lie on each other, or are nowhere", s.first,
                          s.second);
   for (const LoadCase& load : scene.loads.loads)
@@ -254,17 +254,17 @@ double Equilibrium::correct(std::vector<Real>& residual) {
     }
     const std::span<double> rounded = rhs.subspan(l * free, free);
     for (std::size_t i = 0; i < free; ++i) rounded[i] = static_cast<double>(residual[i]);
-    const double scale = norm(std::span(forces).first(free)) + norm(std::span(magnitude_).first(free));
-    if (scale > 0.0) last_residual_ = std::max(last_residual_, norm(rounded) / scale);
+    const double scale = safe_norm(std::span(forces).first(free)) + safe_norm(std::span(magnitude_).first(free));
+    if (scale > 0.0) last_residual_ = std::max(last_residual_, safe_norm(rounded) / scale);
   }
   const std::span<const double> correction = correction_ = solve(count);
   double largest = 0.0;
   for (std::size_t l = 0; l < count; ++l) {
     const std::span<double> u = displacement(l).first(free);
     const std::span<const double> du = correction.subspan(l * free, free);
-    const double scale = norm(u);
+    const double scale = safe_norm(u);
     for (std::size_t i = 0; i < free; ++i) u[i] += du[i];
-    const double step = norm(du);
+    const double step = safe_norm(du);
     if (!std::isfinite(step) || !std::isfinite(scale)) return std::numeric_limits<double>::infinity();
     if (scale > 0.0) largest = std::max(largest, step / scale);
   }
