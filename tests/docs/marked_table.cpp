@@ -12,10 +12,6 @@ namespace {
 
 constexpr const char* kEnd = "<!-- end of what is made -->\n";
 
-struct Range {
-  std::size_t begin, size;
-};
-
 Range range_of(const std::string& page, const std::string& study) {
   const std::string mark = "<!-- made from " + study + " -->\n";
   const std::size_t begin = page.find(mark), end = page.find(kEnd, begin);

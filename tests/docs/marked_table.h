@@ -8,6 +8,11 @@
 
 namespace nodal::docs {
 
+/// A part of a page.
+struct Range {
+  std::size_t begin, size;
+};
+
 /// A page with the table of a study, "bench/scenes/unseen.toml", replaced. InputError when it has none.
 [[nodiscard]] std::string with_marked_table(std::string page, const std::string& study, const std::string& table);
 

@@ -6,24 +6,22 @@
 #include <report/report.h>
 #include <report/table.h>
 
+#include "marked_table.h"
+
 namespace nodal::docs {
 
 namespace {
 
 constexpr std::size_t kWidth = 160;  // as where stdout is no terminal
 constexpr const char* kBegin = "```\nelastic: G at the start ";
-constexpr const char* kEnd = "\n```\n";
-
-struct Range {
-  std::size_t begin, size;
-};
+constexpr const char* kClosingFence = "\n```\n";
 
 Range range_of(const std::string& readme) {
   const std::size_t fence = readme.find(kBegin);
   if (fence == std::string::npos)
     throw InputError("README has no table: no block begins with 'elastic: G at the start'");
   const std::size_t begin = fence + 4;
-  return {begin, readme.find(kEnd, begin) - begin};
+  return {begin, readme.find(kClosingFence, begin) - begin};
 }
 
 }  // namespace

@@ -14,7 +14,7 @@ namespace nodal::docs {
 
 namespace {
 
-constexpr int kDigits = 2;
+constexpr int kErrorDigits = 2;
 
 std::optional<double> median(const std::optional<Quartiles>& q) { return q ? std::optional(q->median) : std::nullopt; }
 
@@ -37,7 +37,7 @@ std::string cell_of(const ProblemTable& table, const std::string& label) {
 }  // namespace
 
 std::string unseen_cell(const std::optional<double>& fitted, const std::optional<double>& unseen) {
-  const auto text = [](const std::optional<double>& error) { return error ? figure_text(*error, kDigits) : "–"; };
+  const auto text = [](const std::optional<double>& error) { return error ? figure_text(*error, kErrorDigits) : "–"; };
   return fmt::format("{} / {}", text(fitted), text(unseen));
 }
 

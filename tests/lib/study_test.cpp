@@ -9,21 +9,15 @@
 
 #include "../support/messages.h"
 #include "../support/temporary_directory.h"
+#include "study/refusals.h"
 #include "toy_study.h"
 
 namespace nodal {
 namespace {
 
+using toy::refusal;
+using toy::refusal_after_problem;
 using toy::study;
-
-std::string refusal(std::string_view text, const StudyOverrides& overrides = {}) {
-  return toy::message_of([&] { (void)study(text, overrides); });
-}
-
-// After two lines that are right.
-std::string refusal_after_problem(const std::string& text, const StudyOverrides& overrides = {}) {
-  return refusal("[problem]\nkind = \"bowl\"\n" + text, overrides);
-}
 
 constexpr const char* kWhole = R"(
 [study]

@@ -2,14 +2,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 
 #include <nodal/statistics/anytime.h>
 
+#include "never.h"
+
 namespace nodal::statistics {
 namespace {
-
-constexpr double kNever = std::numeric_limits<double>::infinity();
 
 const std::vector<History> kThree = {{{1.0, 8.0}, {4.0, 2.0}}, {{2.0, 4.0}, {8.0, 1.0}}, {{1.0, 6.0}}};
 

@@ -2,14 +2,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 
 #include <nodal/statistics/many_problems.h>
 
+#include "never.h"
+
 namespace nodal::statistics {
 namespace {
-
-constexpr double kNever = std::numeric_limits<double>::infinity();
 
 // One method first, one second, one last on 4 problems: the largest χ² there is, N(k − 1) = 8, p = e^{−4}.
 TEST(ManyProblems, OneOrderThroughoutIsTheLargestChiSquared) {

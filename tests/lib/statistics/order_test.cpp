@@ -5,10 +5,11 @@
 
 #include <nodal/statistics/order.h>
 
+#include "never.h"
+
 namespace nodal::statistics {
 namespace {
 
-constexpr double kNever = std::numeric_limits<double>::infinity();
 const double kNan = std::numeric_limits<double>::quiet_NaN();
 
 TEST(Order, QuantilesLieBetweenOrderStatistics) {

@@ -2,19 +2,18 @@
 // Figures that another library computed: tests/data/statistics.json, where -1 stands for "never" and "none".
 #include <gtest/gtest.h>
 
-#include <limits>
-
 #include <nodal/file.h>
 #include <nodal/statistics/many_problems.h>
 #include <nodal/statistics/run_length.h>
 #include <nodal/statistics/two_samples.h>
 #include <nodal/value.h>
 
+#include "never.h"
+
 namespace nodal::statistics {
 namespace {
 
 constexpr double kDigits = 1e-9;  // both sides compute in doubles, in another order
-constexpr double kNever = std::numeric_limits<double>::infinity();
 
 const Value& reference() {
   static const Value all = [] {

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
-#include <limits>
-
 #include <nodal/statistics/two_samples.h>
+
+#include "never.h"
 
 namespace nodal::statistics {
 namespace {
-
-constexpr double kNever = std::numeric_limits<double>::infinity();
 
 TEST(TwoSamples, EffectSizeCountsPairs) {
   EXPECT_EQ(vargha_delaney(std::vector{1.0, 3.0}, std::vector{2.0, 3.0}), (0.0 + 0.0 + 1.0 + 0.5) / 4.0);

@@ -5,13 +5,12 @@
 
 #include "../../support/messages.h"
 #include "../toy_study.h"
+#include "refusals.h"
 
 namespace nodal {
 namespace {
 
-std::string refusal(const std::string& problem) {
-  return toy::message_of([&] { (void)toy::study("[problem]\nkind = \"bowl\"\n" + problem); });
-}
+using toy::refusal_after_problem;
 
 TEST(Instances, AGridMakesAProblemOfEachValue) {
   const Study study = toy::study("[problem]\nkind = \"bowl\"\nsize = { grid = [2, 4, 6] }\n");
@@ -52,33 +51,40 @@ TEST(Instances, AreWhatTheyWouldBeAlone) {
 }
 
 TEST(Instances, WhatIsNoRangeIsRefused) {
-  EXPECT_NE(refusal("size = { grid = [] }\n").find("s.toml:3: 'grid' must list"), std::string::npos);
-  EXPECT_NE(refusal("size = { grid = 3 }\n").find("'grid' must list"), std::string::npos);
-  EXPECT_NE(refusal("size = { grid = [1], step = 3 }\n").find("'step' stands beside a range"), std::string::npos);
-  EXPECT_NE(refusal("size = { count = 0 }\n").find("whole number from 1 to"), std::string::npos);
-  EXPECT_NE(refusal("size = { count = 1e3 }\n").find("whole number"), std::string::npos);
-  EXPECT_NE(refusal("size = { count = 100000000 }\n").find("too long"), std::string::npos);
-  EXPECT_NE(refusal("label = { grid = [\"a\"] }\n").find("can't be a range"), std::string::npos);
-  EXPECT_NE(refusal("best_known = { quality = { grid = [1, 2] }, origin = \"x\" }\n").find("of one problem"),
+  EXPECT_NE(refusal_after_problem("size = { grid = [] }\n").find("s.toml:3: 'grid' must list"), std::string::npos);
+  EXPECT_NE(refusal_after_problem("size = { grid = 3 }\n").find("'grid' must list"), std::string::npos);
+  EXPECT_NE(refusal_after_problem("size = { grid = [1], step = 3 }\n").find("'step' stands beside a range"),
             std::string::npos);
-  EXPECT_NE(refusal("size = { count = 2 }\nbest_known = { quality = 1, origin = \"x\" }\n").find("ranges beside it"),
+  EXPECT_NE(refusal_after_problem("size = { count = 0 }\n").find("whole number from 1 to"), std::string::npos);
+  EXPECT_NE(refusal_after_problem("size = { count = 1e3 }\n").find("whole number"), std::string::npos);
+  EXPECT_NE(refusal_after_problem("size = { count = 100000000 }\n").find("too long"), std::string::npos);
+  EXPECT_NE(refusal_after_problem("label = { grid = [\"a\"] }\n").find("can't be a range"), std::string::npos);
+  EXPECT_NE(
+      refusal_after_problem("best_known = { quality = { grid = [1, 2] }, origin = \"x\" }\n").find("of one problem"),
+      std::string::npos);
+  EXPECT_NE(refusal_after_problem("size = { count = 2 }\nbest_known = { quality = 1, origin = \"x\" }\n")
+                .find("ranges beside it"),
             std::string::npos);
   // No ranges: keys that nobody knows.
-  EXPECT_NE(refusal("count = 3\n").find("s.toml:3: unknown"), std::string::npos) << refusal("count = 3\n");
-  EXPECT_NE(refusal("grid = [1]\n").find("s.toml:3: unknown"), std::string::npos) << refusal("grid = [1]\n");
-  EXPECT_NE(refusal("size = { count = 100 }\neven = { count = 100 }\n").find("more than 1000 combinations"),
-            std::string::npos);
+  EXPECT_NE(refusal_after_problem("count = 3\n").find("s.toml:3: unknown"), std::string::npos)
+      << refusal_after_problem("count = 3\n");
+  EXPECT_NE(refusal_after_problem("grid = [1]\n").find("s.toml:3: unknown"), std::string::npos)
+      << refusal_after_problem("grid = [1]\n");
+  EXPECT_NE(
+      refusal_after_problem("size = { count = 100 }\neven = { count = 100 }\n").find("more than 1000 combinations"),
+      std::string::npos);
 }
 
 // A value of a range is checked as any other, and where it stands.
 TEST(Instances, OfEqualValuesAreRefusedForWhatTheyAre) {
-  EXPECT_NE(refusal("size = { grid = [2, 2] }\n").find("both of one entry: values of a range that are the same"),
+  EXPECT_NE(refusal_after_problem("size = { grid = [2, 2] }\n")
+                .find("both of one entry: values of a range that are the same"),
             std::string::npos);
 }
 
 TEST(Instances, ValuesOfARangeAreChecked) {
-  EXPECT_NE(refusal("size = { grid = [2,\n 400] }\n").find("s.toml:4: "), std::string::npos)
-      << refusal("size = { grid = [2,\n 400] }\n");
+  EXPECT_NE(refusal_after_problem("size = { grid = [2,\n 400] }\n").find("s.toml:4: "), std::string::npos)
+      << refusal_after_problem("size = { grid = [2,\n 400] }\n");
 }
 
 TEST(Instances, OnlySomeProblemsMayBeAskedFor) {

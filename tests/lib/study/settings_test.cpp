@@ -19,7 +19,7 @@ Study with(std::vector<std::string> settings, std::string_view text = kTwo) {
   return toy::study(text, overrides);
 }
 
-std::string refusal(const std::string& setting) {
+std::string refusal_of_setting(const std::string& setting) {
   return toy::message_of([&] { (void)with({setting}); });
 }
 
@@ -76,20 +76,22 @@ TEST(Settings, OfAProblemForgetItsBestKnownQuality) {
 }
 
 TEST(Settings, AreOneKeyAndNumbersAreNumbers) {
-  EXPECT_NE(refusal("study.seed=3\nrepeats=1").find("--set"), std::string::npos);
+  EXPECT_NE(refusal_of_setting("study.seed=3\nrepeats=1").find("--set"), std::string::npos);
   for (const char* number : {".5", "1.", "007", "-.5"})
-    EXPECT_NE(refusal(std::string("study.name=") + number).find("begin and end with a digit"), std::string::npos)
+    EXPECT_NE(refusal_of_setting(std::string("study.name=") + number).find("begin and end with a digit"),
+              std::string::npos)
         << number;
 }
 
 TEST(Settings, WrongOnesAreNamed) {
   for (const char* wrong : {"", "study", "=3", "study=3", "study.=3", ".seed=3", "study.seed", "problem[b.size=3"})
-    EXPECT_EQ(refusal(wrong).rfind(std::string("--set ") + wrong + ": ", 0), 0u) << refusal(wrong);
-  EXPECT_NE(refusal("study.name=a b").find("need quotes"), std::string::npos);
-  EXPECT_NE(refusal("problem[c].size=3").find("labelled 'c'"), std::string::npos);
-  EXPECT_NE(refusal("problem.size.x=3").find("--set problem.size.x=3"), std::string::npos);
-  EXPECT_NE(refusal("problem.sise=3").find("--set problem.sise=3"), std::string::npos);
-  EXPECT_NE(refusal("optimiser.use=x").find("unknown table"), std::string::npos);
+    EXPECT_EQ(refusal_of_setting(wrong).rfind(std::string("--set ") + wrong + ": ", 0), 0u)
+        << refusal_of_setting(wrong);
+  EXPECT_NE(refusal_of_setting("study.name=a b").find("need quotes"), std::string::npos);
+  EXPECT_NE(refusal_of_setting("problem[c].size=3").find("labelled 'c'"), std::string::npos);
+  EXPECT_NE(refusal_of_setting("problem.size.x=3").find("--set problem.size.x=3"), std::string::npos);
+  EXPECT_NE(refusal_of_setting("problem.sise=3").find("--set problem.sise=3"), std::string::npos);
+  EXPECT_NE(refusal_of_setting("optimiser.use=x").find("unknown table"), std::string::npos);
 }
 
 TEST(Settings, GoNoFurtherThanTables) {

@@ -6,27 +6,14 @@
 
 #include <algorithm>
 
-#include "toy.h"
+#include "annealed.h"
 
 namespace nodal::annealing {
 namespace {
 
-struct Annealed {
-  Outcome outcome;
-  Counts counts;
-  double best_quality = 0.0;
-};
-
 Annealed anneal(const toy::ToyProblem& problem, const Settings& settings, std::uint64_t key = 1,
                 const Limits& limits = {.evaluations = 1000000}) {
-  const auto evaluator = problem.make_evaluator();
-  Meter meter(problem, *evaluator, problem.space().start(), limits);
-  RandomStream random(key);
-  Annealed run;
-  run.outcome = Annealing(settings).minimize(meter, problem.space().start(), random);
-  run.counts = meter.counts();
-  run.best_quality = meter.quality(meter.best_cost());
-  return run;
+  return annealed(problem, Annealing(settings), limits, key);
 }
 
 // Where nothing is better, every temperature takes its 2e + 1 steps; an equal value is no worse, so it is accepted.
