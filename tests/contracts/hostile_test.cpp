@@ -8,6 +8,7 @@
 #include <thread>
 #include <utility>
 
+#include "../support/special_numbers.h"
 #include "contender.h"
 
 namespace nodal::contracts {
@@ -15,8 +16,8 @@ namespace {
 
 class HostileProblem : public testing::TestWithParam<Contender> {};
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+using toy::kInfinity;
+using toy::kNan;
 
 // Deliberately no std::exception: a method that catches what it knows must let it through as well.
 struct PlateBroke {
@@ -63,7 +64,7 @@ struct Bad {
   const char* name;
   Evaluation instead;
 };
-const Bad kBad[] = {{"NaN", {Status::ok, kNaN}},
+const Bad kBad[] = {{"NaN", {Status::ok, kNan}},
                     {"infinity", {Status::ok, kInfinity}},
                     {"minus infinity", {Status::ok, -kInfinity}},
                     {"not positive definite", {Status::not_positive_definite, 0.0}},
@@ -125,7 +126,7 @@ TEST_P(HostileProblem, ThatHasSlopesThatAreNoNumbersIsSurvived) {
   Toy toy;
   toy.model.jacobian = [good = valley().jacobian](std::span<const double> x, std::span<double> jacobian) {
     good(x, jacobian);
-    if (x[0] > 0.0) std::ranges::fill(jacobian, kNaN);
+    if (x[0] > 0.0) std::ranges::fill(jacobian, kNan);
   };
   const Race seen = race(GetParam(), WatchedProblem(toy), {.evaluations = 1000});
   EXPECT_TRUE(std::isfinite(seen.best_cost));

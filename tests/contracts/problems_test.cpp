@@ -7,13 +7,14 @@
 
 #include <nodal/random.h>
 
+#include "../support/special_numbers.h"
 #include "registered.h"
 
 namespace nodal::contracts {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+using toy::kInfinity;
+using toy::kNan;
 
 double norm(std::span<const double> v) {
   double sum = 0.0;
@@ -179,7 +180,7 @@ TEST_P(EveryProblem, RefusesDerivativesWhereNothingWasEvaluated) {
 
 TEST_P(EveryProblem, SaysThatAPointIsNoNumber) {
   const double good = evaluator_->value(start()).cost;
-  for (const double bad : {kNaN, kInfinity}) {
+  for (const double bad : {kNan, kInfinity}) {
     for (const std::size_t i : {std::size_t{0}, n_ / 2, n_ - 1}) {
       Point x = start(), g(n_), r(m_), jacobian(m_ * n_);
       x[i] = bad;

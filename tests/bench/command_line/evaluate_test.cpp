@@ -9,8 +9,6 @@
 namespace nodal::program {
 namespace {
 
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
-
 // Nodes 1 (0, 0), 20 (4, 0), 300 (2, 3); stiffnesses 1e-3, 1 and 10 in bounds of [1e-3, 10].
 std::string study(const Folder& folder, const std::string& forces, bool reference) {
   folder.write("nodes.csv", "node,x,y\n1,0,0\n20,4,0\n300,2,3\n");

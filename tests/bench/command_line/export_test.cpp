@@ -12,8 +12,6 @@
 namespace nodal::program {
 namespace {
 
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
-
 Value evaluated(const Folder& folder, std::vector<std::string> arguments) {
   arguments.insert(arguments.begin(), {"evaluate", "--json"});
   const Output output = run(folder, arguments);

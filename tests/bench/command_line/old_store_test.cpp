@@ -5,6 +5,7 @@
 
 #include <nodal/store.h>
 
+#include "../../support/count.h"
 #include "program.h"
 
 namespace nodal::program {
@@ -12,18 +13,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kTrials = "trials/host-26413-1795765673044.jsonl";
+constexpr const char* kTrialsFile = "trials/host-26413-1795765673044.jsonl";
 
 const fs::path& original() {
   static const fs::path path = fs::path(NODAL_TEST_DATA) / "store-0.1.0";
   return path;
 }
 
-std::size_t count(const std::string& text, const std::string& part) {
-  std::size_t found = 0;
-  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++found;
-  return found;
-}
+using toy::count;
 
 TEST(StoreOfVersion010, IsRead) {
   const Store store = Store::open_existing(original());
@@ -57,14 +54,14 @@ TEST(StoreOfVersion010, IsExtended) {
   const Folder folder;
   fs::copy(original(), folder.path() / "old", fs::copy_options::recursive);
   fs::copy_file(original() / "kept.toml", folder.path() / "kept.toml");
-  const std::string before = read_file(folder.path() / "old" / kTrials);
+  const std::string before = read_file(folder.path() / "old" / kTrialsFile);
   const Output output = run(folder, {"compare", "kept.toml", "--out", "old", "--repeats", "3"});
   EXPECT_EQ(output.exit, 0) << output.err;
   EXPECT_NE(output.err.find("of 12 trials are stored already"), std::string::npos) << output.err;
   EXPECT_NE(output.err.find("holds results of another build (revision 9091477158fe-dirty; the present one is "),
             std::string::npos)
       << output.err;
-  EXPECT_EQ(read_file(folder.path() / "old" / kTrials), before);
+  EXPECT_EQ(read_file(folder.path() / "old" / kTrialsFile), before);
   const Store store = Store::open_existing(folder.path() / "old");
   std::size_t old = 0, on_sphere = 0;
   for (const TrialRecord& record : store.records()) {

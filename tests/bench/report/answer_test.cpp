@@ -9,6 +9,7 @@
 
 #include <report/report.h>
 
+#include "../../support/count.h"
 #include "fixture.h"
 #include "made_store.h"
 
@@ -21,11 +22,7 @@ ReportData collect_one(const MadeStore& made) {
   return collect(stores, Registry());
 }
 
-std::size_t count(const std::string& text, const std::string& part) {
-  std::size_t n = 0;
-  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++n;
-  return n;
-}
+using toy::count;
 
 // Eight starts; `sure` goes down at once, `slow` after 2 ms and not as far.
 void race(MadeStore& made, const std::string& problem, int repeats = 8) {

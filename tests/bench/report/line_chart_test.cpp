@@ -14,6 +14,8 @@
 #include <regex>
 #include <set>
 
+#include "../../support/count.h"
+
 namespace nodal::report {
 namespace {
 
@@ -31,11 +33,7 @@ LineChart chart(std::vector<ChartLine> lines) {
           .lines = std::move(lines)};
 }
 
-std::size_t count(const std::string& text, std::string_view part) {
-  std::size_t found = 0;
-  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + part.size())) ++found;
-  return found;
-}
+using toy::count;
 
 TEST(Ticks, AreRoundAndAsManyAsThereIsRoomFor) {
   EXPECT_EQ(ticks({0.9, 110.0}, Scale::logarithmic, 8), (std::vector<double>{1, 2, 5, 10, 20, 50, 100}));

@@ -17,17 +17,14 @@
 #include "show/mechanism_svg.h"
 #include "show/panels.h"
 
+#include "../../../support/count.h"
 #include "pictures.h"
 #include "well_formed.h"
 
 namespace nodal::elastic::show {
 namespace {
 
-std::size_t count(const std::string& text, std::string_view part) {
-  std::size_t found = 0;
-  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + part.size())) ++found;
-  return found;
-}
+using toy::count;
 
 // The same plate a hair larger: what the last bits of another compiler's figures may do.
 Picture scaled(Picture plate, double factor) {

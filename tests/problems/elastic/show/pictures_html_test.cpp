@@ -5,6 +5,7 @@
 
 #include <regex>
 
+#include "../../../support/count.h"
 #include "pictures.h"
 #include "show/style.h"
 
@@ -13,11 +14,7 @@ namespace {
 
 constexpr const char* kHostile = "</script><img src=x onerror=alert(1)>&\"'";
 
-std::size_t count(const std::string& text, std::string_view part) {
-  std::size_t found = 0;
-  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + part.size())) ++found;
-  return found;
-}
+using toy::count;
 
 TEST(PicturesHtml, ShowTheSystemBeforeItsLoads) {
   const std::string html =

@@ -10,6 +10,7 @@
 #include <nodal/random.h>
 
 #include "../../../../support/messages.h"
+#include "../../../../support/special_numbers.h"
 #include "../../plate.h"
 #include "geometry/plane/outline.h"
 #include "geometry/plane/segment.h"
@@ -18,9 +19,9 @@
 namespace nodal::elastic::plane {
 namespace {
 
+using toy::kInfinity;
+using toy::kNan;
 using toy::message_of;
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity(), kNan = std::numeric_limits<double>::quiet_NaN();
 
 Ring moved(Ring ring, const Point& by) {
   for (Point& p : ring) p = {p[0] + by[0], p[1] + by[1]};
@@ -327,7 +328,7 @@ Body body_of(const std::string& json) {
   return read_body(resolve_options(body_fields(), parse_json(json, "s.toml"), "'body'"), {files, {}}, "rectangle");
 }
 
-std::string refusal(const std::string& json) {
+std::string options_refusal(const std::string& json) {
   return message_of([&] { (void)body_of(json); });
 }
 
@@ -370,33 +371,33 @@ TEST(BodyOptions, MakePolygonsWithHoles) {
 
 TEST(BodyOptions, RefuseKeysOfOtherShapes) {
   EXPECT_EQ(
-      refusal("{\"shape\": \"disc\",\n\"radius\": 1,\n\"size\": [1, 1]}"),
+      options_refusal("{\"shape\": \"disc\",\n\"radius\": 1,\n\"size\": [1, 1]}"),
       "s.toml:3: 'size' in 'body' belongs to shape 'rectangle', 'box', not to 'disc'; 'disc' has 'radius', 'sides', "
       "'centre'");
-  EXPECT_EQ(refusal(R"({"radius": 1})"),
+  EXPECT_EQ(options_refusal(R"({"radius": 1})"),
             "s.toml:1: 'radius' in 'body' belongs to shape 'disc', 'ring', 'regular', not to 'rectangle'; 'rectangle' "
             "has 'size', 'corner'");
-  EXPECT_EQ(refusal(R"({"shape": "none", "file": "a.wkt"})"),
+  EXPECT_EQ(options_refusal(R"({"shape": "none", "file": "a.wkt"})"),
             "s.toml:1: 'file' in 'body' belongs to shape 'file', not to 'none'; 'none' has no keys of its own");
-  EXPECT_EQ(refusal(R"({"shape": "none", "corner_turn": 30})"),
+  EXPECT_EQ(options_refusal(R"({"shape": "none", "corner_turn": 30})"),
             "s.toml:1: 'corner_turn' belongs to bodies with an outline, and shape 'none' has none");
 }
 
 TEST(BodyOptions, RefuseShapesWithoutTheirKeys) {
-  EXPECT_EQ(refusal(R"({"shape": "ring", "radius": 1})"),
+  EXPECT_EQ(options_refusal(R"({"shape": "ring", "radius": 1})"),
             "s.toml:1: shape 'ring' in 'body' needs 'inner_radius'; 'ring' has 'radius', 'inner_radius', 'sides', "
             "'centre'");
-  EXPECT_EQ(refusal(R"({"shape": "polygon"})"),
+  EXPECT_EQ(options_refusal(R"({"shape": "polygon"})"),
             "s.toml:1: shape 'polygon' in 'body' needs 'outline'; 'polygon' has 'outline', 'holes', 'scale'");
 }
 
 TEST(BodyOptions, BlameSizesThatMakeNoBodyOnTheirKey) {
-  EXPECT_EQ(refusal("{\"shape\": \"ring\", \"radius\": 1,\n\"inner_radius\": 2}"),
+  EXPECT_EQ(options_refusal("{\"shape\": \"ring\", \"radius\": 1,\n\"inner_radius\": 2}"),
             "s.toml:2: a ring's inner radius 2 must be smaller than its outer one 1, by more than what a polygon of 64 "
             "sides cuts off");
-  EXPECT_EQ(refusal("{\"shape\": \"polygon\",\n\"outline\": [[0, 0], [1, 1]]}"),
+  EXPECT_EQ(options_refusal("{\"shape\": \"polygon\",\n\"outline\": [[0, 0], [1, 1]]}"),
             "s.toml:2: the outline has 2 points; a ring needs at least 3 different ones");
-  EXPECT_EQ(refusal(R"({"size": [1e200, 1]})"),
+  EXPECT_EQ(options_refusal(R"({"size": [1e200, 1]})"),
             "s.toml:1: vertex 1 (1e+200, 0) of the outline is out of range: the body's moments would leave double "
             "precision; coordinates must be within ±1e+75");
 }

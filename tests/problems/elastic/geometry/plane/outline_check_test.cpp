@@ -7,13 +7,14 @@
 #include <numbers>
 
 #include "../../../../support/messages.h"
+#include "../../../../support/special_numbers.h"
 
 namespace nodal::elastic::plane {
 namespace {
 
+using toy::kInfinity;
+using toy::kNan;
 using toy::message_of;
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity(), kNan = std::numeric_limits<double>::quiet_NaN();
 
 Body checked(std::vector<Ring> rings) { return checked_body(std::move(rings), "b", 1.0, kDefaultCornerTurn, {"f", 3}); }
 
