@@ -49,6 +49,11 @@ inline std::shared_ptr<const ElasticProblem> as_elastic(const Study& study) {
   return std::dynamic_pointer_cast<const ElasticProblem>(study.problems.at(0).problem);
 }
 
+/// By the lines of [problem] beside its kind.
+inline std::shared_ptr<const ElasticProblem> read(const std::string& problem) {
+  return as_elastic(parse_study("[problem]\nkind = \"elastic\"\n" + problem, "study.toml", components()));
+}
+
 inline std::shared_ptr<const ElasticProblem> make_plate(const PlateOptions& options = {}) {
   return as_elastic(parse_study("[study]\nname = \"plate\"\n" + plate_toml(options), "plate.toml", components()));
 }

@@ -13,10 +13,6 @@
 namespace nodal::elastic {
 namespace {
 
-std::shared_ptr<const ElasticProblem> read(const std::string& problem) {
-  return as_elastic(parse_study("[problem]\nkind = \"elastic\"\n" + problem, "study.toml", components()));
-}
-
 std::vector<Tensor> stress_of(const ElasticProblem& problem, const LoadState& load) {
   return nodal_stress(problem.net(), node_volumes(problem.net(), problem.scene().material).volumes, load.spring_force);
 }
@@ -26,7 +22,7 @@ void expect_near(const Tensor& a, const Tensor& b, double tolerance, const std::
     for (std::size_t j = 0; j < 3; ++j) EXPECT_NEAR(a[i][j], b[i][j], tolerance) << where << " " << i << j;
 }
 
-constexpr double kStress = 1e6;
+constexpr double kApplied = 1e6;
 
 // Lattices deform as the body does, so each spring's force is that of the homogeneous strain. In the plane they have
 // half as stiff springs on the border, where cells are half, too: σ is the body's there as well.
@@ -42,9 +38,9 @@ void expect_homogeneous(const std::string& study) {
     double largest = 0.0;
     for (const Vector& row : body[0])
       for (const double entry : row) largest = std::max(largest, std::abs(entry));
-    EXPECT_EQ(largest, kStress);
+    EXPECT_EQ(largest, kApplied);
     for (std::size_t i = 0; i < net.size(); ++i)
-      if (!problem->net().on_border(i)) expect_near(net[i], body[i], 1e-11 * kStress, state.loads[l].name);
+      if (!problem->net().on_border(i)) expect_near(net[i], body[i], 1e-11 * kApplied, state.loads[l].name);
   }
 }
 

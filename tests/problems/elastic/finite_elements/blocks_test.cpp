@@ -9,7 +9,7 @@
 namespace nodal::elastic::finite_elements {
 namespace {
 
-const Block kBlock = {.box = {{0, 0, 0}, {3, 2, 1}}, .planes = {{{}, {1.0}, {0.5}}}};
+const Block kBrick = {.box = {{0, 0, 0}, {3, 2, 1}}, .planes = {{{}, {1.0}, {0.5}}}};
 const Vector kAnchor = {0.0, 1.0, 0.5};
 
 ConvergeResult converged(const Block& block, const std::vector<Group>& groups, const std::vector<Vector>& wanted,
@@ -49,7 +49,7 @@ TEST(FiniteElementBlocks, AgreeWithClosedForms) {
   for (std::size_t k = 0; k < 3; ++k)
     for (std::size_t axis = k; axis < 3; ++axis) resting.prescribed.push_back({rest[k], axis, bent_at(rest[k])[axis]});
   const std::vector<Vector> wanted = corners_and_middles();
-  const ConvergeResult result = converged(kBlock, {sliding, clamped, resting}, wanted, 2.0);
+  const ConvergeResult result = converged(kBrick, {sliding, clamped, resting}, wanted, 2.0);
   EXPECT_TRUE(result.converged);
   for (std::size_t i = 0; i < wanted.size(); ++i) {
     const Vector& x = wanted[i];

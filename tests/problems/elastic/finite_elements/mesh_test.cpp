@@ -29,7 +29,7 @@ double volume_of(const Mesh& mesh, std::size_t region) {
 }
 
 // Area of the sides with a label along its axis; the other components must vanish, and it must point out of the block.
-double area_of(const Mesh& mesh, std::size_t label) {
+double side_area(const Mesh& mesh, std::size_t label) {
   Vector sum{};
   for (std::size_t s = 0; s < mesh.side_count(); ++s) {
     if (mesh.side_label[s] != label) continue;
@@ -48,7 +48,7 @@ void expect_block(const Mesh& mesh) {
   EXPECT_NEAR(volume_of(mesh, 0), 1.3 * 1.5, 1e-12);
   EXPECT_NEAR(volume_of(mesh, 1), 0.7 * 1.5, 1e-12);
   const std::array<double, 3> areas = {1.5, 3.0, 2.0};
-  for (std::size_t label = 0; label < 6; ++label) EXPECT_NEAR(area_of(mesh, label), areas[label / 2], 1e-12) << label;
+  for (std::size_t label = 0; label < 6; ++label) EXPECT_NEAR(side_area(mesh, label), areas[label / 2], 1e-12) << label;
 }
 
 TEST(FiniteElementMesh, BlocksAreFilledAndLabelled) {

@@ -39,7 +39,7 @@ Mesh moved_grid(std::size_t n, double most = 0.3) {
   return quadratic(mesh);
 }
 
-Mesh block() { return block_mesh({.box = {{0.0, 0.0, 0.0}, {1.0, 1.0, 1.0}}, .planes = {{{0.3}, {}, {0.45}}}}, 0.6); }
+Mesh cube() { return block_mesh({.box = {{0.0, 0.0, 0.0}, {1.0, 1.0, 1.0}}, .planes = {{{0.3}, {}, {0.45}}}}, 0.6); }
 
 // Any material: the inverse of a random positive definite matrix, with what the plane hasn't left out.
 Compliance random_compliance(std::mt19937& random, std::size_t dimension) {
@@ -160,13 +160,13 @@ TEST(FiniteElementPatch, LinearAndQuadraticFieldsAreExactInSpace) {
   std::mt19937 random(2);
   for (const bool quadratic_part : {false, true})
     for (int k = 0; k < 3; ++k)
-      expect_exact(block(), Polynomial(random, 3, quadratic_part), {{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}});
+      expect_exact(cube(), Polynomial(random, 3, quadratic_part), {{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}});
 }
 
 TEST(FiniteElementPatch, RefinedMeshesAreAsExact) {
   std::mt19937 random(3);
   expect_exact(refined(moved_grid(2)), Polynomial(random, 2, true), {{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}});
-  expect_exact(refined(block()), Polynomial(random, 3, true), {{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}});
+  expect_exact(refined(cube()), Polynomial(random, 3, true), {{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}});
 }
 
 // Two halves of their own thickness and E, ν = 0: the same force goes through both.

@@ -15,7 +15,7 @@ namespace nodal::elastic::finite_elements {
 namespace {
 
 // The square [0, 4]² with the hole [1, 2]²; x < 3 is region 0.
-PlaneBody square() {
+PlaneBody frame() {
   PlaneBody body;
   body.rings = {{{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {0, 1, 2, 3}}, {{{1, 1}, {1, 2}, {2, 2}, {2, 1}}, {4, 5, 6, 7}}};
   body.interfaces = {{{3, -1}, {3, 5}}};
@@ -54,7 +54,7 @@ double length_of(const Mesh& mesh, std::size_t label) {
 }
 
 TEST(PlaneMesh, FillsTheBodyAndKnowsItsSides) {
-  const Mesh mesh = plane_mesh(square(), 0.5);
+  const Mesh mesh = plane_mesh(frame(), 0.5);
   EXPECT_NEAR(area_of(mesh, 0), 11.0, 1e-12);
   EXPECT_NEAR(area_of(mesh, 1), 4.0, 1e-12);
   for (std::size_t label = 0; label < 8; ++label) EXPECT_NEAR(length_of(mesh, label), label < 4 ? 4.0 : 1.0, 1e-12);
@@ -63,14 +63,14 @@ TEST(PlaneMesh, FillsTheBodyAndKnowsItsSides) {
 }
 
 TEST(PlaneMesh, IsTheSameAgain) {
-  const Mesh first = plane_mesh(square(), 0.3), second = plane_mesh(square(), 0.3);
+  const Mesh first = plane_mesh(frame(), 0.3), second = plane_mesh(frame(), 0.3);
   EXPECT_EQ(first.nodes, second.nodes);
   EXPECT_EQ(first.cells, second.cells);
   EXPECT_EQ(first.sides, second.sides);
 }
 
 TEST(PlaneMesh, IsFineAtGradedPlacesAlone) {
-  PlaneBody body = square();
+  PlaneBody body = frame();
   body.graded = {{0, 0}};
   const Mesh mesh = plane_mesh(body, 0.5);
   double smallest = 1.0;
@@ -82,7 +82,7 @@ TEST(PlaneMesh, IsFineAtGradedPlacesAlone) {
     smallest = std::min(smallest, longest_edge(mesh, c));
   }
   EXPECT_LT(smallest, 0.15);  // (0.5/1)^{1/0.3} = 0.1 is what the law asks for
-  EXPECT_LT(mesh.cell_count(), 4 * plane_mesh(square(), 0.5).cell_count());
+  EXPECT_LT(mesh.cell_count(), 4 * plane_mesh(frame(), 0.5).cell_count());
 }
 
 // λ as tables print it, and slightly more than half a turn by its series, λ = 1 − 2δ/π.
@@ -99,7 +99,7 @@ TEST(PlaneMesh, CornersThatTurnInwardsAreGradedByTheirAngle) {
 }
 
 TEST(PlaneMesh, HasTheVerticesThatAreAskedFor) {
-  PlaneBody body = square();
+  PlaneBody body = frame();
   body.vertices = {{2.5, 2.71}};
   const Mesh mesh = plane_mesh(body, 1.0);
   EXPECT_NE(std::ranges::find(mesh.nodes, Vector{2.5, 2.71, 0.0}), mesh.nodes.end());
@@ -117,7 +117,7 @@ TEST(PlaneMesh, NeedlesEnd) {
 
 // A triangle's centre may come to lie where it is graded.
 TEST(PlaneMesh, GradedPlacesThatAreNoVerticesEnd) {
-  PlaneBody body = square();
+  PlaneBody body = frame();
   body.graded = {{1e-12, 1e-12}, {3.3, 2.1}, {0.5, 0.5}, {2.0, 1e-9}, {-1.0, 1.0}, {4.0 / 3.0, 3.0}};
   for (const double spacing : {0.3, 0.5, 0.8}) {
     const Mesh mesh = plane_mesh(body, spacing);
@@ -127,7 +127,7 @@ TEST(PlaneMesh, GradedPlacesThatAreNoVerticesEnd) {
 }
 
 TEST(PlaneMesh, InterfacesAlongSidesAndBeyondThemEnd) {
-  PlaneBody body = square();
+  PlaneBody body = frame();
   body.interfaces = {
       {{0.5, 1e-9}, {9.0, -1e-9}}, {{3, 0}, {3, 4}}, {{3, 1}, {3, 3.5}}, {{1, 1.2}, {1, 1.8}}, {{2, 2}, {4, 4}}};
   const Mesh mesh = plane_mesh(body, 0.5);
@@ -136,7 +136,7 @@ TEST(PlaneMesh, InterfacesAlongSidesAndBeyondThemEnd) {
 }
 
 TEST(PlaneMesh, TooManyTrianglesAreRefusedWithWhere) {
-  PlaneBody body = square();
+  PlaneBody body = frame();
   body.cell_limit = 300;
   body.graded = {{4, 0}};
   try {
@@ -148,7 +148,7 @@ TEST(PlaneMesh, TooManyTrianglesAreRefusedWithWhere) {
 }
 
 TEST(PlaneMesh, RefinedTwiceItFindsPlacesByDescending) {
-  const Mesh coarse = plane_mesh(square(), 1.0), middle = refined(coarse), fine = refined(middle);
+  const Mesh coarse = plane_mesh(frame(), 1.0), middle = refined(coarse), fine = refined(middle);
   EXPECT_NEAR(area_of(fine, 1), 4.0, 1e-12);
   EXPECT_NEAR(length_of(fine, 6), 1.0, 1e-12);
   const Locator locator(coarse);

@@ -12,25 +12,12 @@
 
 #include "loads/closed_form.h"
 #include "loads/load_spec.h"
+#include "stressed_bodies.h"
 
 namespace nodal::elastic {
 namespace {
 
-constexpr double kYoung = 2.9, kPoisson = 0.27;
 constexpr double kRounding = 1e-13;  // of sums over some hundred nodes
-
-const Material kStress = {kYoung, kPoisson, Plane::stress};
-const Material kStrain = {kYoung, kPoisson, Plane::strain};
-
-constexpr std::array<double, 3> kSize = {0.7, 3.3, 1.1};
-constexpr double kVolume = kSize[0] * kSize[1] * kSize[2];
-
-Net plate() {
-  return make_grid_net(plane::rectangle_body({-0.3, 0.1}, {kSize[0], kSize[1]}, kSize[2]), 4, 6, "crossed");
-}
-Net block() {
-  return make_block_net(space::box_body({-0.3, 0.1, 5.0}, {kSize[0], kSize[1], kSize[2]}), {4, 6, 3}, "single");
-}
 
 Tensor symmetric(double xx, double yy, double zz, double xy, double yz, double zx) {
   return {{{xx, xy, zx}, {xy, yy, yz}, {zx, yz, zz}}};
@@ -39,10 +26,6 @@ Tensor symmetric(double xx, double yy, double zz, double xy, double yz, double z
 void expect_near(const Tensor& a, const Tensor& b, std::size_t dimension) {
   for (std::size_t i = 0; i < dimension; ++i)
     for (std::size_t j = 0; j < dimension; ++j) EXPECT_NEAR(a[i][j], b[i][j], 1e-15) << i << j;
-}
-
-double work(const LoadCase& load) {
-  return std::inner_product(load.forces.begin(), load.forces.end(), load.reference.begin(), 0.0);
 }
 
 TEST(Elasticity, PlaneStressIsSpaceWithoutStressAcross) {
@@ -74,9 +57,9 @@ void expect_energies(const Net& net, const Material& material, double young, Sup
 
 TEST(ClosedForm, WorkOfBasicLoadsIsTheEnergyInTheBody) {
   for (const SupportStyle style : {SupportStyle::edge, SupportStyle::minimal}) {
-    expect_energies(plate(), kStress, kYoung, style);
-    expect_energies(plate(), kStrain, kYoung / (1.0 - kPoisson * kPoisson), style);
-    expect_energies(block(), kStress, kYoung, style);
+    expect_energies(plate_net(), kStress, kYoung, style);
+    expect_energies(plate_net(), kStrain, kYoung / (1.0 - kPoisson * kPoisson), style);
+    expect_energies(block_net(), kStress, kYoung, style);
   }
 }
 
@@ -107,15 +90,15 @@ TEST(ClosedForm, AnyStressLeavesABodyAtRestWithItsEnergy) {
     const auto u = displacements_at_rest(net, kStress.elasticity(net.dimension), stress, rest);
     for (const Support& s : supports) EXPECT_NEAR(u[net.freedoms().at(s.node, s.axis)], s.value, 1e-15);
   };
-  expect_energy(plate(), symmetric(1.3, -0.4, 0.0, 0.7, 0.0, 0.0));
-  expect_energy(block(), symmetric(1.3, -0.4, 0.6, 0.7, -1.1, 0.2));
+  expect_energy(plate_net(), symmetric(1.3, -0.4, 0.0, 0.7, 0.0, 0.0));
+  expect_energy(block_net(), symmetric(1.3, -0.4, 0.6, 0.7, -1.1, 0.2));
 }
 
 // The side bears what would pull there, so its forces are missing; they would do no work.
 TEST(ClosedForm, StressesWithoutShearSlideOnASide) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const Tensor stress = symmetric(1.3, -0.4, 0.6, 0.0, 0.0, 0.0);
-    const LoadSet set = discretize({{"any", stress, Hold::sliding, axis}}, block(), kStress);
+    const LoadSet set = discretize({{"any", stress, Hold::sliding, axis}}, block_net(), kStress);
     EXPECT_NEAR(work(set.loads[0]) / (kVolume * energy_density(stress)), 1.0, kRounding) << axis;
     double pull = 0.0;
     for (std::size_t f = axis; f < set.loads[0].forces.size(); f += 3) pull += set.loads[0].forces[f];
@@ -126,7 +109,7 @@ TEST(ClosedForm, StressesWithoutShearSlideOnASide) {
 TEST(ClosedForm, WhatASideDoesNotBearHasNone) {
   const auto bears = [](const Tensor& stress, Hold hold) {
     try {
-      (void)discretize({{"any", stress, hold, 1}}, block(), kStress);
+      (void)discretize({{"any", stress, hold, 1}}, block_net(), kStress);
     } catch (const std::invalid_argument&) {
       return false;
     }

@@ -98,16 +98,16 @@ class WrittenNodes : public StudyFiles {
   }
 };
 
-constexpr const char* kPull =
+constexpr const char* kSidePull =
     "supports = [{ edge = \"left\" }]\ntractions = [{ edge = \"side-1\", traction = [0.1, 0.0] }]\n";
 
 // The side's nodes move as they do with all digits, to what six digits of the places can change.
 TEST_F(WrittenNodes, OfSixDigitsArePulledOnASlantedSide) {
   write_trapezoid("{}");
-  const std::vector<double> full = start_displacement(*trapezoid(kPull));
+  const std::vector<double> full = start_displacement(*trapezoid(kSidePull));
   for (const char* format : {"{:.6f}", "{:.6g}"}) {
     write_trapezoid(format);
-    const auto problem = trapezoid(kPull);
+    const auto problem = trapezoid(kSidePull);
     double pulled = 0.0;
     for (std::size_t f = 0; f < problem->scene().loads.loads[0].forces.size(); f += 2)
       pulled += problem->scene().loads.loads[0].forces[f];

@@ -14,16 +14,10 @@
 #include "loads/closed_form.h"
 #include "loads/combination.h"
 #include "loads/unseen_loads.h"
+#include "stressed_bodies.h"
 
 namespace nodal::elastic {
 namespace {
-
-constexpr double kYoung = 2.9, kPoisson = 0.27;
-const Material kStress = {kYoung, kPoisson, Plane::stress};
-const Material kStrain = {kYoung, kPoisson, Plane::strain};
-
-Net plate() { return make_grid_net(plane::rectangle_body({-0.3, 0.1}, {0.7, 3.3}, 1.1), 4, 6, "crossed"); }
-Net block() { return make_block_net(space::box_body({-0.3, 0.1, 5.0}, {0.7, 3.3, 1.1}), {4, 6, 3}, "single"); }
 
 Vector random_vector(RandomStream& random, std::size_t dimension) {
   Vector v{};
@@ -135,29 +129,29 @@ TEST(ClosedFormOfLinearStress, IsTheTextbooksBendingAndTorsion) {
   };
   const double young_strain = kYoung / (1.0 - kPoisson * kPoisson), poisson_strain = kPoisson / (1.0 - kPoisson);
   const double c = stress / 1.65;  // half the height
-  expect(plate(), kStress, "bend-x", [&](const Vector& x) {
+  expect(plate_net(), kStress, "bend-x", [&](const Vector& x) {
     return Vector{c * x[0] * x[1] / kYoung, -c * (x[0] * x[0] + kPoisson * x[1] * x[1]) / (2.0 * kYoung), 0.0};
   });
-  expect(plate(), kStrain, "bend-x", [&](const Vector& x) {
+  expect(plate_net(), kStrain, "bend-x", [&](const Vector& x) {
     return Vector{c * x[0] * x[1] / young_strain,
                   -c * (x[0] * x[0] + poisson_strain * x[1] * x[1]) / (2.0 * young_strain), 0.0};
   });
   const double d = stress / 0.35;  // half the width
-  expect(plate(), kStress, "bend-y", [&](const Vector& x) {
+  expect(plate_net(), kStress, "bend-y", [&](const Vector& x) {
     return Vector{-d * (x[1] * x[1] + kPoisson * x[0] * x[0]) / (2.0 * kYoung), d * x[0] * x[1] / kYoung, 0.0};
   });
-  expect(block(), kStress, "bend-xy", [&](const Vector& x) {
+  expect(block_net(), kStress, "bend-xy", [&](const Vector& x) {
     return Vector{c * x[0] * x[1] / kYoung,
                   -c * (x[0] * x[0] + kPoisson * (x[1] * x[1] - x[2] * x[2])) / (2.0 * kYoung),
                   -c * kPoisson * x[1] * x[2] / kYoung};
   });
   const double shear = kYoung / (2.0 * (1.0 + kPoisson));
   const double t = stress / std::hypot(1.65, 0.55);  // from the axis along x to the box's edge
-  expect(block(), kStress, "twist-x", [&](const Vector& x) {
+  expect(block_net(), kStress, "twist-x", [&](const Vector& x) {
     return Vector{0.0, -t * x[0] * x[2] / shear, t * x[0] * x[1] / shear};
   });
   const double s = stress / std::hypot(0.35, 1.65);
-  expect(block(), kStress, "twist-z", [&](const Vector& x) {
+  expect(block_net(), kStress, "twist-z", [&](const Vector& x) {
     return Vector{-s * x[2] * x[1] / shear, s * x[2] * x[0] / shear, 0.0};
   });
 }
@@ -231,8 +225,8 @@ TEST(UnseenLoads, BalanceWhateverTheOutlineDoes) {
     const auto specs = unseen_load_specs(net.dimension, extent_of(net.body), 1.3);
     for (const LoadCase& load : discretize(specs, net, kStress).loads) expect_balance(net, load);
   };
-  expect(plate());
-  expect(block());
+  expect(plate_net());
+  expect(block_net());
   RandomStream random(11);
   expect(outlined(ell(), random));
   expect(outlined(frame(), random));
@@ -273,22 +267,22 @@ TEST(UnseenLoads, PullWithTheWorkOfTheirTractions) {
       for (std::size_t f = 0; f < forces.size(); ++f) EXPECT_NEAR(forces[f], wanted[f], 1e-14) << spec.name;
     }
   };
-  expect(plate(), {0.05, 1.75, 0.0});
-  expect(block(), {0.05, 1.75, 5.55});
+  expect(plate_net(), {0.05, 1.75, 0.0});
+  expect(block_net(), {0.05, 1.75, 5.55});
   expect(outlined(ell(), random), {1.5, 1.5, 0.0});
 }
 
 TEST(UnseenLoads, HaveNoClosedFormOutOfEquilibriumOrOnAHeldSide) {
   LoadSpec gravity{"gravity"};
   gravity.gradient[1][1][1] = 1.0;
-  EXPECT_THROW((void)discretize({gravity}, plate(), kStress), std::invalid_argument);
+  EXPECT_THROW((void)discretize({gravity}, plate_net(), kStress), std::invalid_argument);
   LoadSpec held = bending_specs(2, {{0, 0, 0}, {1, 1, 0}}, 1.0)[0];
   held.hold = Hold::sliding;
-  EXPECT_THROW((void)discretize({held}, plate(), kStress), std::invalid_argument);
+  EXPECT_THROW((void)discretize({held}, plate_net(), kStress), std::invalid_argument);
 }
 
 TEST(Combinations, AreFoundUnderTheSameSupportsOnly) {
-  const Net net = plate();
+  const Net net = plate_net();
   const LoadSet fitted = make_basic_loads(net, kStress, 1.0, SupportStyle::minimal);
   const LoadSet edges = make_basic_loads(net, kStress, 1.0, SupportStyle::edge);
   const LoadSet unseen = discretize(unseen_load_specs(2, extent_of(net.body), 2.0), net, kStress);

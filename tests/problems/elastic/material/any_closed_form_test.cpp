@@ -10,6 +10,7 @@
 #include <nodal/error.h>
 
 #include "../../../support/messages.h"
+#include "../loads/stressed_bodies.h"
 #include "loads/closed_form.h"
 #include "loads/load_spec.h"
 #include "loads/unseen_loads.h"
@@ -19,15 +20,6 @@ namespace nodal::elastic {
 namespace {
 
 constexpr double kRounding = 1e-12;  // of sums over some hundred nodes of numbers up to about 30
-constexpr std::array<double, 3> kSize = {0.7, 3.3, 1.1};
-constexpr double kVolume = kSize[0] * kSize[1] * kSize[2];
-
-Net plate() {
-  return make_grid_net(plane::rectangle_body({-0.3, 0.1}, {kSize[0], kSize[1]}, kSize[2]), 4, 6, "crossed");
-}
-Net block() {
-  return make_block_net(space::box_body({-0.3, 0.1, 5.0}, {kSize[0], kSize[1], kSize[2]}), {4, 6, 3}, "single");
-}
 
 Material turned(double degrees) {
   return {.orthotropic = Orthotropic{
@@ -38,10 +30,6 @@ const LoadSpec& named(const std::vector<LoadSpec>& specs, const std::string& nam
   for (const LoadSpec& spec : specs)
     if (spec.name == name) return spec;
   throw std::logic_error(name);
-}
-
-double work(const LoadCase& load) {
-  return std::inner_product(load.forces.begin(), load.forces.end(), load.reference.begin(), 0.0);
 }
 
 // Clapeyron: in a body whose supports do no work, forces do ∫ σ : S σ dV; and the reference is 0 or the prescribed
@@ -90,7 +78,7 @@ TEST(AnyClosedForm, AtRestIsExactForAnyMaterial) {
   RandomStream random(1);
   for (int trial = 0; trial < 30; ++trial)
     for (const std::size_t dimension : {2, 3}) {
-      const Net net = dimension == 2 ? plate() : block();
+      const Net net = dimension == 2 ? plate_net() : block_net();
       const Material material = random_orthotropic(random, dimension, trial % 2 ? Plane::strain : Plane::stress);
       LoadSpec spec{"any", random_stress_tensor(random, dimension), Hold::resting};
       EXPECT_EQ(why_no_closed_form(spec, material, dimension), "");
@@ -104,7 +92,7 @@ TEST(AnyClosedForm, OnASideThatSlidesIsExactForAnyMaterial) {
   RandomStream random(2);
   for (int trial = 0; trial < 30; ++trial)
     for (const std::size_t dimension : {2, 3}) {
-      const Net net = dimension == 2 ? plate() : block();
+      const Net net = dimension == 2 ? plate_net() : block_net();
       const Material material = random_orthotropic(random, dimension, trial % 2 ? Plane::strain : Plane::stress);
       for (std::size_t axis = 0; axis < dimension; ++axis) {
         LoadSpec spec{"stretch", {}, Hold::sliding, axis};
@@ -122,7 +110,7 @@ TEST(AnyClosedForm, OnASideThatSlidesIsExactForAnyMaterial) {
 TEST(AnyClosedForm, OfBendingsIsExactForAnyMaterial) {
   RandomStream random(3);
   for (const std::size_t dimension : {2, 3}) {
-    const Net net = dimension == 2 ? plate() : block();
+    const Net net = dimension == 2 ? plate_net() : block_net();
     const Material material = random_orthotropic(random, dimension);
     for (const LoadSpec& spec : unseen_load_specs(dimension, extent_of(net.body), 1.0)) {
       EXPECT_EQ(why_no_closed_form(spec, material, dimension), "") << spec.name;
@@ -152,14 +140,14 @@ TEST(AnyClosedForm, OfAClampedSideNeedsAMaterialThatLeavesItsLength) {
   const std::vector<LoadSpec> specs = basic_load_specs(2, 1.0, SupportStyle::edge);
   const LoadSpec &shear_x = named(specs, "shear-x"), &shear_y = named(specs, "shear-y");
   for (const double degrees : {0.0, 90.0, 180.0, 1e-13}) {
-    expect_exact(shear_x, plate(), turned(degrees));
-    expect_exact(shear_y, plate(), turned(degrees));
+    expect_exact(shear_x, plate_net(), turned(degrees));
+    expect_exact(shear_y, plate_net(), turned(degrees));
   }
   for (const double degrees : {30.0, 45.0, -10.0, 1e-10}) {
     EXPECT_NE(why_no_closed_form(shear_x, turned(degrees), 2), "") << degrees;
     EXPECT_NE(why_no_closed_form(shear_y, turned(degrees), 2), "") << degrees;
   }
-  EXPECT_EQ(toy::message_of<std::invalid_argument>([&] { (void)discretize({shear_x}, plate(), turned(30.0)); }),
+  EXPECT_EQ(toy::message_of<std::invalid_argument>([&] { (void)discretize({shear_x}, plate_net(), turned(30.0)); }),
             "load 'shear-x' has no closed form: the material, whose axes are not the body's, answers shear with a "
             "strain within the side that is held, 0.212 of its largest, and that side can't stretch");
 }
@@ -172,11 +160,11 @@ TEST(AnyClosedForm, OfEachClampedSideAsksForItsOwnStrain) {
   material.orthotropic->shear[0] = 0.5;
   // tan² of it is (2 S_11 − 2 S_12 − S_66)/(2 S_22 − 2 S_12 − S_66) = 0.6/2.6.
   material.orthotropic->angle = std::atan(std::sqrt(0.6 / 2.6)) * 180.0 / std::numbers::pi;
-  expect_exact(shear_x, plate(), material);
+  expect_exact(shear_x, plate_net(), material);
   EXPECT_NE(why_no_closed_form(shear_y, material, 2), "");
   material.orthotropic->angle = 90.0 - material.orthotropic->angle;
   EXPECT_NE(why_no_closed_form(shear_x, material, 2), "");
-  expect_exact(shear_y, plate(), material);
+  expect_exact(shear_y, plate_net(), material);
 }
 
 // Turned about z, the material answers shear towards z with shear towards z alone; on faces that stand along z that is
@@ -190,7 +178,7 @@ TEST(AnyClosedForm, OfAClampedFaceAsksForStrainsWithinIt) {
     if (spec.hold != Hold::clamped) continue;
     const bool exact = spec.axis == 2;
     EXPECT_EQ(why_no_closed_form(spec, material, 3).empty(), exact) << spec.name;
-    if (exact) expect_exact(spec, block(), material);
+    if (exact) expect_exact(spec, block_net(), material);
   }
 }
 
@@ -199,7 +187,7 @@ TEST(AnyClosedForm, IsNoneOfSeveralMaterials) {
   field.regions = {{"left", HalfPlane{{0, 0}, {-1, 0}}, Material{.young = 2.0}}};
   const std::vector<LoadSpec> specs = basic_load_specs(2, 1.0, SupportStyle::minimal);
   EXPECT_EQ(why_no_closed_form(specs[0], field, 2), "the body is of several materials");
-  EXPECT_THROW((void)discretize(specs, plate(), field), std::invalid_argument);
+  EXPECT_THROW((void)discretize(specs, plate_net(), field), std::invalid_argument);
   field.regions[0].material = {};
   EXPECT_EQ(why_no_closed_form(specs[0], field, 2), "");
   field.regions[0].thickness = 2.0;

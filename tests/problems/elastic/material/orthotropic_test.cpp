@@ -20,7 +20,7 @@ namespace {
 
 using Wide = long double;
 
-constexpr double kRounding = 1e-14;  // of sums of some hundred products, relative to the largest
+constexpr double kRelativeRounding = 1e-14;  // of sums of some hundred products, relative to the largest
 
 const Orthotropic kWood = {
     .young = {1.0, 0.5, 0.7}, .poisson = {0.3, 0.2, 0.25}, .shear = {0.3, 0.4, 0.2}, .angle = 30.0};
@@ -32,7 +32,7 @@ double largest(const Compliance& s) {
   return most;
 }
 
-void expect_near(const Compliance& found, const Compliance& wanted, double tolerance = kRounding) {
+void expect_near(const Compliance& found, const Compliance& wanted, double tolerance = kRelativeRounding) {
   for (std::size_t i = 0; i < 6; ++i)
     for (std::size_t j = 0; j < 6; ++j) EXPECT_NEAR(found[i][j], wanted[i][j], tolerance * largest(wanted)) << i << j;
 }
@@ -177,9 +177,9 @@ TEST(Orthotropic, WithIsotropicConstantsIsIsotropicHoweverItIsTurned) {
 TEST(Orthotropic, APullMeetsTheModulusAlongIt) {
   Material material{.orthotropic = kWood};
   const double c = std::cos(std::numbers::pi / 6.0), s = 0.5;
-  EXPECT_NEAR(material.young_along({c, s, 0.0}), 1.0, kRounding);
-  EXPECT_NEAR(material.young_along({-s, c, 0.0}), 0.5, kRounding);
-  EXPECT_NEAR(material.young_along({0.0, 0.0, 1.0}), 0.7, kRounding);
+  EXPECT_NEAR(material.young_along({c, s, 0.0}), 1.0, kRelativeRounding);
+  EXPECT_NEAR(material.young_along({-s, c, 0.0}), 0.5, kRelativeRounding);
+  EXPECT_NEAR(material.young_along({0.0, 0.0, 1.0}), 0.7, kRelativeRounding);
   RandomStream random(4);
   for (int trial = 0; trial < 100; ++trial) {
     material = random_orthotropic(random, 3);
@@ -191,7 +191,7 @@ TEST(Orthotropic, APullMeetsTheModulusAlongIt) {
       for (std::size_t b = 0; b < 3; ++b) pull[a][b] = d[a] * d[b];
     const Elasticity elasticity = material.elasticity(3);
     EXPECT_NEAR(1.0 / material.young_along(d), product(pull, elasticity.strain(pull)),
-                kRounding * largest(elasticity.compliance()));
+                kRelativeRounding * largest(elasticity.compliance()));
   }
 }
 

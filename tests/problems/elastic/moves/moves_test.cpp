@@ -223,7 +223,7 @@ TEST(Moves, EndTheSameFromSampledStarts) {
     const std::vector<TrialRecord> records = trials(form);
     for (std::size_t i = 0; i < records.size(); ++i) {
       const TrialRecord& record = records[i];
-      EXPECT_EQ(record.end, End::budget) << form << ": " << record.reason;
+      EXPECT_EQ(record.end, nodal::End::budget) << form << ": " << record.reason;
       EXPECT_NEAR(*record.best->summary.quality, *expected[i].best->summary.quality,
                   1e-6 * *expected[i].best->summary.quality)
           << form;

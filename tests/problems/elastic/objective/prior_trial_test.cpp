@@ -40,7 +40,7 @@ TEST(PriorTrial, EveryFamilyOfMethodsSeesIt) {
     const Study study = study_of(method, 0.01);
     const Problem& problem = *study.problems[0].problem;
     const TrialRecord record = run_trial(study, {0, 0, 0}, components());
-    EXPECT_NE(record.end, End::failed) << method << ": " << record.reason;
+    EXPECT_NE(record.end, nodal::End::failed) << method << ": " << record.reason;
     ASSERT_TRUE(record.best && record.best->summary.data_quality && record.start.data_quality) << method;
     const PointSummary& best = record.best->summary;
     // At the study's start there is nothing of the prior.

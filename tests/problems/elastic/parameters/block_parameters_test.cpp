@@ -13,7 +13,7 @@
 namespace nodal::elastic {
 namespace {
 
-Net block(const std::array<std::size_t, 3>& counts, const Vector& size, const std::string& topology = "crossed") {
+Net block_net(const std::array<std::size_t, 3>& counts, const Vector& size, const std::string& topology = "crossed") {
   return make_block_net(
       Body{.name = "box", .rings = {}, .box = Extent{{1.0, 2.0, -3.0}, {1.0 + size[0], 2.0 + size[1], size[2] - 3.0}}},
       counts, topology);
@@ -29,30 +29,30 @@ std::vector<std::string> names(const Net& net, const ParameterRule& rule) {
 Symmetry symmetry_of(const Net& net) { return find_symmetry(3, net.nodes, net.springs); }
 
 TEST(BlockSymmetry, IsThatOfTheBoxAndItsGrid) {
-  const Symmetry cube = symmetry_of(block({3, 3, 3}, {2, 2, 2}));
+  const Symmetry cube = symmetry_of(block_net({3, 3, 3}, {2, 2, 2}));
   EXPECT_EQ(cube.rotations, 24u);
   EXPECT_EQ(cube.reflections, 24u);
-  EXPECT_EQ(symmetry_of(block({4, 4, 4}, {2, 2, 2}, "faces")).order(), 48u);
-  EXPECT_EQ(symmetry_of(block({3, 3, 4}, {2, 2, 3})).order(), 16u);
-  EXPECT_EQ(symmetry_of(block({4, 3, 4}, {3, 2, 3}, "faces")).order(), 16u);
-  EXPECT_EQ(symmetry_of(block({2, 3, 4}, {1, 2, 3})).order(), 8u);
-  EXPECT_EQ(symmetry_of(block({3, 3, 3}, {1.0, 1.1, 1.2})).order(), 8u);
-  EXPECT_EQ(symmetry_of(block({3, 3, 3}, {2.0, 2.0, 2.2})).order(), 16u);
+  EXPECT_EQ(symmetry_of(block_net({4, 4, 4}, {2, 2, 2}, "faces")).order(), 48u);
+  EXPECT_EQ(symmetry_of(block_net({3, 3, 4}, {2, 2, 3})).order(), 16u);
+  EXPECT_EQ(symmetry_of(block_net({4, 3, 4}, {3, 2, 3}, "faces")).order(), 16u);
+  EXPECT_EQ(symmetry_of(block_net({2, 3, 4}, {1, 2, 3})).order(), 8u);
+  EXPECT_EQ(symmetry_of(block_net({3, 3, 3}, {1.0, 1.1, 1.2})).order(), 8u);
+  EXPECT_EQ(symmetry_of(block_net({3, 3, 3}, {2.0, 2.0, 2.2})).order(), 16u);
   // A cube, but for how its nodes are counted.
-  EXPECT_EQ(symmetry_of(block({3, 3, 5}, {2, 2, 2})).order(), 16u);
+  EXPECT_EQ(symmetry_of(block_net({3, 3, 5}, {2, 2, 2})).order(), 16u);
 }
 
 // Kuhn's cells all rise along one body diagonal: its three turns, each with or without exchanging two axes and with or
 // without the point reflection. Five tetrahedra per cell have the cube's full symmetry where the middle of the block
 // is a node, and half of it, the tetrahedron's, where it is the middle of a cell.
 TEST(BlockSymmetry, OfDiagonalsIsWhatTheyLeave) {
-  EXPECT_EQ(symmetry_of(block({3, 3, 3}, {2, 2, 2}, "single")).order(), 12u);
-  EXPECT_EQ(symmetry_of(block({3, 3, 3}, {2, 2, 2}, "alternating")).order(), 48u);
-  EXPECT_EQ(symmetry_of(block({4, 4, 4}, {3, 3, 3}, "alternating")).order(), 24u);
+  EXPECT_EQ(symmetry_of(block_net({3, 3, 3}, {2, 2, 2}, "single")).order(), 12u);
+  EXPECT_EQ(symmetry_of(block_net({3, 3, 3}, {2, 2, 2}, "alternating")).order(), 48u);
+  EXPECT_EQ(symmetry_of(block_net({4, 4, 4}, {3, 3, 3}, "alternating")).order(), 24u);
 }
 
 TEST(BlockSymmetry, IsLostByAMovedNode) {
-  Net net = block({3, 3, 3}, {2, 2, 2});
+  Net net = block_net({3, 3, 3}, {2, 2, 2});
   net.nodes[0][0] += 1e-6;
   EXPECT_EQ(symmetry_of(net).order(), 2u);  // the exchange of y and z leaves the corner's way along x alone
   net.nodes[0][1] += 3e-6;
@@ -63,7 +63,7 @@ TEST(BlockSymmetry, IsLostByAMovedNode) {
 // Against the 48 signed permutations of axes, written out on the indices of nodes.
 TEST(BlockSymmetry, TiesWhatPermutedAndReflectedAxesExchange) {
   const std::size_t n = 4;
-  const Net net = block({n, n, n}, {3, 3, 3});
+  const Net net = block_net({n, n, n}, {3, 3, 3});
   const Parameters parameters(net, "symmetric");
   std::array<std::size_t, 3> axes = {0, 1, 2};
   std::map<std::array<std::size_t, 2>, std::size_t> spring;
@@ -90,11 +90,11 @@ TEST(BlockSymmetry, TiesWhatPermutedAndReflectedAxesExchange) {
 }
 
 TEST(BlockDirections, AreAxesFacesAndCells) {
-  EXPECT_EQ(names(block({4, 3, 5}, {3, 2, 4}), "by-direction"),
+  EXPECT_EQ(names(block_net({4, 3, 5}, {3, 2, 4}), "by-direction"),
             (std::vector<std::string>{"ln k along x", "ln k along y", "ln k face diagonal", "ln k along z",
                                       "ln k body diagonal"}));
-  EXPECT_EQ(names(block({4, 3, 5}, {3, 2, 4}, "faces"), "by-direction").size(), 4u);
-  const Net net = block({3, 3, 3}, {1.0, 2.0, 5.0});
+  EXPECT_EQ(names(block_net({4, 3, 5}, {3, 2, 4}, "faces"), "by-direction").size(), 4u);
+  const Net net = block_net({3, 3, 3}, {1.0, 2.0, 5.0});
   const Parameters parameters(net, "by-direction");
   for (std::size_t e = 0; e < net.springs.size(); ++e) {
     const auto axes = std::ranges::count_if(net.springs[e].direction, [](double d) { return d != 0.0; });
@@ -107,10 +107,10 @@ TEST(BlockDirections, AreAxesFacesAndCells) {
 }
 
 TEST(BlockLengths, AreThoseOfEdgesAndDiagonals) {
-  EXPECT_EQ(names(block({3, 3, 3}, {2, 2, 2}), "by-length"),
+  EXPECT_EQ(names(block_net({3, 3, 3}, {2, 2, 2}), "by-length"),
             (std::vector<std::string>{"ln k 1 m", "ln k 1.414 m", "ln k 1.732 m"}));
-  EXPECT_EQ(names(block({3, 3, 3}, {2, 2, 2}), "uniform").size(), 1u);
-  EXPECT_TRUE(Parameters(block({3, 3, 3}, {2, 2, 2}), "each").one_to_one());
+  EXPECT_EQ(names(block_net({3, 3, 3}, {2, 2, 2}), "uniform").size(), 1u);
+  EXPECT_TRUE(Parameters(block_net({3, 3, 3}, {2, 2, 2}), "each").one_to_one());
 }
 
 }  // namespace

@@ -265,7 +265,7 @@ TEST_F(BodyFromElsewhere, WithCourtyardsIsFitted) {
           filled("courtyards.geojson", "paper"),
       directory_.path() / "study.toml", components());
   const TrialRecord record = run_trial(study, {0, 0, 0}, components());
-  EXPECT_EQ(record.end, End::finished) << record.reason;
+  EXPECT_EQ(record.end, nodal::End::finished) << record.reason;
   ASSERT_TRUE(record.best.has_value());
   EXPECT_NEAR(record.best->summary.relative_error.value(), 0.1069, 5e-5);
 }

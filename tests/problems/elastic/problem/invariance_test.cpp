@@ -69,14 +69,14 @@ Scene held_scene(const Scene& scene, bool measured) {
 
 // ── copies
 
-struct Change {
+struct Alteration {
   const char* name;
   plane::Point shift = {0.0, 0.0};
   double angle = 0.0;
   bool renumbered = false;
 };
 
-const Change kChanges[] = {
+const Alteration kChanges[] = {
     {.name = "moved", .shift = {1.7, -2.9}},
     {.name = "turned", .angle = 0.7},
     {.name = "turned by a quarter", .angle = 0.5 * std::numbers::pi},
@@ -86,7 +86,7 @@ const Change kChanges[] = {
 
 class Copy {
  public:
-  Copy(const Scene& scene, const Change& change)
+  Copy(const Scene& scene, const Alteration& change)
       : change_(change), node_(numbers(scene.net.nodes.size(), 11)), spring_(numbers(scene.net.springs.size(), 12)) {
     scene_ = scene;
     move_net(scene.net);
@@ -167,7 +167,7 @@ class Copy {
     group.supports = std::move(moved);
   }
 
-  Change change_;
+  Alteration change_;
   std::vector<std::size_t> node_, spring_;  // new numbers by old
   Scene scene_;
 };
@@ -194,7 +194,7 @@ TEST_P(Invariance, ValueAndGradientAreThoseOfTheCopy) {
   const auto evaluator = problem.make_evaluator();
   const double cost = evaluator->value_and_gradient(x, gradient).cost, refined = evaluator->audit(x).cost;
   const double steepest = std::abs(*std::ranges::max_element(gradient, {}, [](double g) { return std::abs(g); }));
-  for (const Change& change : kChanges) {
+  for (const Alteration& change : kChanges) {
     SCOPED_TRACE(change.name);
     const Copy copy(scene_, change);
     const ElasticProblem other(copy.scene());
@@ -234,7 +234,7 @@ TEST_P(Invariance, FitEndsAtTheSameValue) {
   scene_.parameter_rule = "by-length";
   scene_.parameter_rule.length_classes = 8;
   const double cost = fitted_cost(scene_);
-  for (const Change& change : kChanges)
+  for (const Alteration& change : kChanges)
     EXPECT_NEAR(fitted_cost(Copy(scene_, change).scene()), cost, 1e-9 * cost) << change.name;
 }
 
@@ -247,7 +247,7 @@ TEST(LeastEnergy, IsThatOfTheCopy) {
   };
   const double error = least_error(scene);
   EXPECT_GT(error, 1e-3) << "a floor to compare";
-  for (const Change& change : kChanges)
+  for (const Alteration& change : kChanges)
     EXPECT_NEAR(least_error(Copy(scene, change).scene()), error, 1e-9 * error) << change.name;
 }
 
@@ -267,7 +267,7 @@ TEST(Selection, IsThatOfTheCopy) {
   RandomStream random(9);
   std::vector<plane::Point> places;
   for (int i = 0; i < 50; ++i) places.push_back({random.uniform(-1.2, 1.2), random.uniform(-1.2, 1.2)});
-  for (const Change& change : kChanges) {
+  for (const Alteration& change : kChanges) {
     SCOPED_TRACE(change.name);
     const Copy copy(scene, change);
     Net net = copy.scene().net;

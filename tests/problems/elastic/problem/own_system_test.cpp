@@ -115,7 +115,7 @@ TEST_F(OwnSystem, OutsideTheBoundsIsEvaluatedButNotFitted) {
   EXPECT_EQ(truss->fit_refusal(), expected);
   EXPECT_EQ(toy::message_of([&] { require_comparable(study(text)); }), expected);
   const TrialRecord record = run_trial(study(text), {0, 0, 0}, components());
-  EXPECT_EQ(record.end, End::failed);
+  EXPECT_EQ(record.end, nodal::End::failed);
   EXPECT_EQ(record.reason, expected);
 }
 

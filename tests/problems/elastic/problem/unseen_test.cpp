@@ -15,10 +15,6 @@
 namespace nodal::elastic {
 namespace {
 
-std::shared_ptr<const ElasticProblem> read(const std::string& problem) {
-  return as_elastic(parse_study("[problem]\nkind = \"elastic\"\n" + problem, "study.toml", components()));
-}
-
 State at_start(const ElasticProblem& problem) { return problem.solve(problem.start_stiffness()); }
 
 std::vector<double> errors_at_start(const ElasticProblem& problem) {

@@ -110,7 +110,7 @@ TEST(BoundsAroundStart, HoldForEveryMethod) {
       const std::vector<double> start = trial_start(study, {0, 0, repeat});
       EXPECT_TRUE(plate->space().contains(start));
       const TrialRecord record = run_trial(study, {0, 0, repeat}, components());
-      EXPECT_NE(record.end, End::failed) << method << ": " << record.reason;
+      EXPECT_NE(record.end, nodal::End::failed) << method << ": " << record.reason;
       ASSERT_TRUE(record.best);
       const std::vector<double> k = plate->stiffness(record.best->x);
       for (std::size_t e = 0; e < k.size(); ++e) {

@@ -16,18 +16,14 @@
 #include "../../../support/temporary_directory.h"
 #include "../block.h"
 #include "../bodies.h"
-#include "../plate.h"
+#include "../study_files.h"
 
 namespace nodal::elastic {
 namespace {
 
-std::shared_ptr<const ElasticProblem> read(const std::string& problem) {
-  return as_elastic(parse_study("[problem]\nkind = \"elastic\"\n" + problem, "study.toml", components()));
-}
 std::string refusal(const std::string& problem) {
   return toy::message_of([&] { (void)read(problem); });
 }
-bool says(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 // Largest difference between the references of two sets of loads, relative to each load's largest displacement.
 double difference(const LoadSet& a, const LoadSet& b) {

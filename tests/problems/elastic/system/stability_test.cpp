@@ -18,7 +18,7 @@
 namespace nodal::elastic {
 namespace {
 
-constexpr double kRounding = std::numeric_limits<double>::epsilon();
+constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 
 std::vector<double> random_stiffness(const Scene& scene, double decades, std::uint64_t seed) {
   RandomStream random(seed);
@@ -48,8 +48,8 @@ TEST(ExtendedEquilibrium, MeetsTheClosedFormOfAChain) {
   const auto exact = solve_extended(scene, std::vector<double>{1.0, 2.0, 4.0});
   ASSERT_TRUE(exact.has_value());
   // 0.7 is a double: that is all that the results may be off by.
-  EXPECT_NEAR(exact->displacements[0][2], 0.4, kRounding);
-  EXPECT_NEAR(exact->displacements[0][4], 0.6, kRounding);
+  EXPECT_NEAR(exact->displacements[0][2], 0.4, kEpsilon);
+  EXPECT_NEAR(exact->displacements[0][4], 0.6, kEpsilon);
 }
 
 TEST(ExtendedEquilibrium, HasNoneForAMechanismOrWhatIsNoNumber) {
@@ -151,8 +151,7 @@ TEST(Stability, TheNumberingOfNodesDoesNotMatter) {
   for (std::size_t l = 0; l < a.loads.size(); ++l)
     for (std::size_t i = 0; i < 2 * n; ++i) {
       const double expected = a.loads[l].displacement[i];
-      EXPECT_NEAR(b.loads[l].displacement[2 * to[i / 2] + i % 2], expected,
-                  4 * kRounding * std::abs(expected) + 1e-300);
+      EXPECT_NEAR(b.loads[l].displacement[2 * to[i / 2] + i % 2], expected, 4 * kEpsilon * std::abs(expected) + 1e-300);
     }
 }
 
@@ -169,7 +168,7 @@ TEST(Stability, IsReciprocalAtAnyContrast) {
   ASSERT_EQ(state.status, Status::ok);
   // An entry can be small beside the vector that is exact to rounding: that vector's size counts.
   const double size = std::abs(state.loads[0].displacement[a]) + std::abs(state.loads[1].displacement[b]);
-  EXPECT_NEAR(state.loads[0].displacement[b], state.loads[1].displacement[a], 8 * kRounding * size);
+  EXPECT_NEAR(state.loads[0].displacement[b], state.loads[1].displacement[a], 8 * kEpsilon * size);
 }
 
 // Supports moved as a rigid body moves, no forces: the net follows, and no spring is stretched.
@@ -229,7 +228,7 @@ TEST(Stability, SimplicialSupernodalEigenAndDenseAgree) {
   for (std::size_t i = 0; i < unknown.size(); ++i) {
     if (unknown[i] < 0) continue;
     const double u = a.loads[0].displacement[i];
-    EXPECT_NEAR(b.loads[0].displacement[i], u, 4 * kRounding * std::abs(u) + 1e-300);
+    EXPECT_NEAR(b.loads[0].displacement[i], u, 4 * kEpsilon * std::abs(u) + 1e-300);
     EXPECT_NEAR(dense[unknown[i]], u, 1e-10 * dense.norm());
     EXPECT_NEAR(sparse[unknown[i]], u, 1e-10 * dense.norm());
   }
