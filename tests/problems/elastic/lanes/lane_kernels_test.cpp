@@ -11,7 +11,7 @@
 namespace nodal::elastic {
 namespace {
 
-struct Setup {
+struct KernelSetup {
   std::size_t dimension, lanes;
   std::string instructions;
   bool prescribed;
@@ -21,7 +21,7 @@ struct Setup {
 constexpr double kSolve = 1e-11;
 constexpr double kPrice = 1e-10;
 
-class Kernels : public testing::TestWithParam<Setup> {
+class Kernels : public testing::TestWithParam<KernelSetup> {
  protected:
   Kernels()
       : system_(grid_truss(GetParam().dimension == 2 ? std::array<std::size_t, 3>{3, 5, 1}
@@ -203,8 +203,8 @@ TEST_P(Kernels, NoticeWhatIsNotPositiveDefinite) {
   EXPECT_FALSE(system_.factorize().fine);
 }
 
-std::vector<Setup> setups() {
-  std::vector<Setup> all;
+std::vector<KernelSetup> kernel_setups() {
+  std::vector<KernelSetup> all;
   for (const LaneInstructions& set : lane_instructions())
     for (const std::size_t dimension : {2, 3})
       for (const std::size_t lanes : {1, 2, 4, 8})
@@ -213,7 +213,7 @@ std::vector<Setup> setups() {
   return all;
 }
 
-INSTANTIATE_TEST_SUITE_P(All, Kernels, testing::ValuesIn(setups()), [](const auto& p) {
+INSTANTIATE_TEST_SUITE_P(All, Kernels, testing::ValuesIn(kernel_setups()), [](const auto& p) {
   return p.param.instructions + (p.param.dimension == 2 ? "_plane_" : "_space_") + std::to_string(p.param.lanes) +
          (p.param.prescribed ? "_moved" : "");
 });

@@ -6,8 +6,8 @@
 
 namespace nodal::elastic {
 
-Truss grid_truss(std::array<std::size_t, 3> counts, double jitter, double contrast, RandomStream& random) {
-  Truss truss;
+PlainTruss grid_truss(std::array<std::size_t, 3> counts, double jitter, double contrast, RandomStream& random) {
+  PlainTruss truss;
   truss.dimension = counts[2] == 1 ? 2 : 3;
   truss.nodes = counts[0] * counts[1] * counts[2];
   std::vector<Vector> places;
@@ -33,7 +33,7 @@ Truss grid_truss(std::array<std::size_t, 3> counts, double jitter, double contra
   return truss;
 }
 
-LaneTruss::LaneTruss(Truss of_truss, const Options& options, RandomStream& random)
+LaneTruss::LaneTruss(PlainTruss of_truss, const Options& options, RandomStream& random)
     : truss(std::move(of_truss)),
       lanes(options.lanes),
       slots(options.slots),

@@ -22,7 +22,7 @@ namespace nodal::elastic {
 using LongVector = Eigen::Matrix<long double, Eigen::Dynamic, 1>;
 using LongMatrix = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
 
-struct Truss {
+struct PlainTruss {
   std::size_t dimension = 2, nodes = 0;
   std::vector<Spring> springs;
   std::vector<double> stiffness;
@@ -30,7 +30,8 @@ struct Truss {
 
 /// A grid of cells with every diagonal, its nodes moved by up to `jitter`; stiffnesses from 1/contrast to contrast.
 /// In the plane counts[2] is 1.
-[[nodiscard]] Truss grid_truss(std::array<std::size_t, 3> counts, double jitter, double contrast, RandomStream& random);
+[[nodiscard]] PlainTruss grid_truss(std::array<std::size_t, 3> counts, double jitter, double contrast,
+                                    RandomStream& random);
 
 /// The lane system of a truss. Lane g is held like a table on three legs, or on a whole face, by turns.
 class LaneTruss {
@@ -40,11 +41,11 @@ class LaneTruss {
     std::string instructions = "auto";
     bool prescribed = false;  ///< held freedoms stand away from zero, but for the last slot of the first lane
   };
-  LaneTruss(Truss of_truss, const Options& options, RandomStream& random);
+  LaneTruss(PlainTruss of_truss, const Options& options, RandomStream& random);
   LaneTruss(const LaneTruss&) = delete;
   LaneTruss& operator=(const LaneTruss&) = delete;
 
-  Truss truss;
+  PlainTruss truss;
   std::size_t lanes, slots;
   NodeGraph graph;
   const LaneKernels& kernels;

@@ -14,7 +14,7 @@ namespace {
 
 enum class Weakness { none, node, everywhere };
 
-void weaken(Truss& truss, Weakness weakness) {
+void weaken(PlainTruss& truss, Weakness weakness) {
   for (std::size_t e = 0; e < truss.springs.size(); ++e) {
     const Spring& s = truss.springs[e];
     const bool at_node = s.first == truss.nodes / 2 || s.second == truss.nodes / 2;
@@ -65,7 +65,7 @@ TEST(LaneTrust, IsKeptByStripsBlocksAndNearMechanisms) {
   for (const auto& counts : grids) {
     for (const double contrast : {1.0, 10.0, 1e3, 1e6}) {
       for (const Weakness weakness : {Weakness::none, Weakness::node, Weakness::everywhere}) {
-        Truss truss = grid_truss(counts, 0.2, contrast, random);
+        PlainTruss truss = grid_truss(counts, 0.2, contrast, random);
         weaken(truss, weakness);
         for (const LaneInstructions& set : lane_instructions()) {
           if (!set.usable) continue;
