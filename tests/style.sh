@@ -1,7 +1,7 @@
 #!/bin/sh
 # How the code is written: clang-format over every source, clang-tidy over the toolkit and the headers of all components.
 # `tests/style.sh` says what differs and ends with 1; `tests/style.sh --fix` lays the sources out. clang-tidy needs a
-# configured build, in which compile_commands.json is: `tests/style.sh --tidy build/release` (on two cores 3 minutes).
+# configured build, in which compile_commands.json is: `tests/style.sh --tidy build/release` (on two cores 5 minutes).
 set -eu
 cd "$(dirname "$0")/.."
 
@@ -22,8 +22,8 @@ tidy() {
   write_everything >"$build/everything.cpp"
   folders=$(public_headers | sed 's|/include/.*|/include|' | sort -u | sed 's|^|-I|')
   # Eigen is where Debian has it; Ceres' headers include it.
-  clang-tidy-14 --quiet --checks='-clang-analyzer-*,-bugprone-suspicious-include' "$build/everything.cpp" -- -std=c++20 $folders -Ilib/src -Ilib \
-    -I"$build/lib/generated" -I/usr/include/eigen3 || return
+  clang-tidy-14 --quiet --checks='-clang-analyzer-*,-bugprone-suspicious-include' "$build/everything.cpp" -- \
+    -std=c++20 $folders -Ilib/src -Ilib -I"$build/lib/generated" -I/usr/include/eigen3 || return
   # The analyzer follows the paths of one source. Its deep mode takes five times as long. Of the flags of GCC some mean
   # nothing to Clang.
   clang="--extra-arg=-Xclang --extra-arg"

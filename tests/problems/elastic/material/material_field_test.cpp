@@ -172,13 +172,13 @@ plane::Moments clipped(const std::vector<plane::Ring>& body, const std::vector<p
 }
 
 void expect_near(const plane::Moments& a, const plane::Moments& b) {
-  constexpr double kRounding = 1e-12;  // bodies of a size of about 2, some hundred trapezoids
-  EXPECT_NEAR(a.area, b.area, kRounding);
-  EXPECT_NEAR(a.first[0], b.first[0], kRounding);
-  EXPECT_NEAR(a.first[1], b.first[1], kRounding);
-  EXPECT_NEAR(a.xx, b.xx, kRounding);
-  EXPECT_NEAR(a.xy, b.xy, kRounding);
-  EXPECT_NEAR(a.yy, b.yy, kRounding);
+  constexpr double kOfTrapezoids = 1e-12;  // bodies of a size of about 2, some hundred trapezoids
+  EXPECT_NEAR(a.area, b.area, kOfTrapezoids);
+  EXPECT_NEAR(a.first[0], b.first[0], kOfTrapezoids);
+  EXPECT_NEAR(a.first[1], b.first[1], kOfTrapezoids);
+  EXPECT_NEAR(a.xx, b.xx, kOfTrapezoids);
+  EXPECT_NEAR(a.xy, b.xy, kOfTrapezoids);
+  EXPECT_NEAR(a.yy, b.yy, kOfTrapezoids);
 }
 
 TEST(Overlay, MomentsAreThoseOfPolygonsCutByHalfPlanes) {
