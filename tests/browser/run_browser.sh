@@ -100,7 +100,7 @@ case "$mode" in
     sed '/^<script>$/,$d' "$out/report.html" > "$out/still.html"
     printf '%s\n' 'addEventListener("load", () => {
       const seen = (selector) => [...document.querySelectorAll(selector)].filter((e) => e.getClientRects().length > 0);
-      document.title = `STILL without ${document.querySelectorAll("figure.race").length - seen(".still svg.lines").length}` +
+      document.title = `STILL without ${document.querySelectorAll("figure.race").length - seen("figure.race .still svg.lines").length}` +
         ` pictures, controls ${seen("input, .keys, .save, .chart").length}`;
     });' > "$out/still_probe.js"
     probe still.html still.probed.html "$out/still_probe.js"

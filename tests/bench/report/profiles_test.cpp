@@ -96,7 +96,7 @@ TEST(Profiles, StandOnThePageAsChartsAndTables) {
         "<figcaption>Performance profile: share of 16 targets of all problems within a factor of the least "
         "evaluations",
         "<figcaption>Run lengths: share of trials × targets reached, by evaluations", "The run lengths as a table",
-        "<figcaption>p: quality attained, against time", "id=\"run-lengths-evaluations-title\"",
+        "<figcaption>p: relative error attained, against time", "id=\"run-lengths-evaluations-title\"",
         "Area over the convergence curve", "Expected time to a gap", "Wilson&#39;s 95 % interval", "<td>500 µs</td>",
         "<td>1 of 1 [0.21, 1.00]</td>"})
     EXPECT_NE(page.find(part), std::string::npos) << part;
@@ -116,10 +116,10 @@ TEST(Profiles, AttainedIsDrawnBetweenAQuarterAndThreeQuarters) {
   const ChartLine& line = chart.lines[0];
   EXPECT_TRUE(line.steps && line.band);
   const auto at = [&](double evaluations) { return point_at(line, evaluations, chart.x, chart.y).value(); };
-  EXPECT_EQ(at(19.0).y, 4.0);
-  EXPECT_EQ(at(20.0).y, 1.0);
-  EXPECT_EQ(at(20.0).lower, 1.0);
-  EXPECT_EQ(at(20.0).upper, 4.0);
+  EXPECT_EQ(at(19.0).y, 1.0);  // the relative error is a quarter of these qualities
+  EXPECT_EQ(at(20.0).y, 0.25);
+  EXPECT_EQ(at(20.0).lower, 0.25);
+  EXPECT_EQ(at(20.0).upper, 1.0);
 }
 
 TEST(Convergence, RefusedTargetsAreNamedWithTheReason) {
