@@ -3,11 +3,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
-#include <nodal/show/number_text.h>
+#include <nodal/statistics/anytime.h>
 
 #include "race_chart.h"
 
@@ -21,27 +21,6 @@ constexpr double kSmallestShown = 1e-16, kLargestShown = 1e150;  // beyond, a fi
 ChartLine line_named(const std::string& optimizer, const ProblemTable& table) {
   const auto row = std::ranges::find(table.rows, optimizer, &OptimizerRow::label);
   return {optimizer, line_place(table, optimizer), row != table.rows.end() && row->baseline};
-}
-
-std::optional<double> attained_at(const statistics::History& surface, double cost) {
-  const auto later =
-      std::ranges::partition_point(surface, [cost](const statistics::BestSoFar& point) { return point.cost <= cost; });
-  return later == surface.begin() ? std::nullopt : std::optional(std::prev(later)->quality);
-}
-
-// In words: who stands where at the end, the best first.
-std::string ends_of(const LineChart& chart, bool highest_first) {
-  std::vector<const ChartLine*> lines;
-  for (const ChartLine& line : chart.lines)
-    if (!line.points.empty()) lines.push_back(&line);
-  std::ranges::stable_sort(lines, [highest_first](const ChartLine* a, const ChartLine* b) {
-    const double first = a->points.back().y, second = b->points.back().y;
-    return highest_first ? first > second : first < second;
-  });
-  std::vector<std::string> texts;
-  for (const ChartLine* line : lines)
-    texts.push_back(fmt::format("{} {}", line->label, figure_text(line->points.back().y, 3)));
-  return fmt::format("At the end, {} first: {}.", highest_first ? "highest" : "lowest", fmt::join(texts, ", "));
 }
 
 LineChart share_chart(std::string title, std::string across, bool seconds, const Profiles& profiles,
@@ -61,7 +40,7 @@ LineChart share_chart(std::string title, std::string across, bool seconds, const
     line.steps = true;
     for (const statistics::Step& step : steps[i]) line.points.push_back({step.at, step.share, step.share, step.share});
   }
-  chart.description = ends_of(chart, true);
+  chart.description = ends_text(chart, true);
   return chart;
 }
 
@@ -80,12 +59,14 @@ LineChart attainment_chart(const ProblemReport& problem, const ProblemConvergenc
     ChartLine& line = chart.lines.emplace_back(line_named(figures.optimizer, problem.table));
     line.steps = line.band = true;
     for (const statistics::BestSoFar& point : half) {
-      const std::optional<double> lower = attained_at(quarter, point.cost), upper = attained_at(most, point.cost);
-      if (lower && upper) line.points.push_back({point.cost, factor * point.quality, factor * *lower, factor * *upper});
+      const double lower = statistics::quality_at(quarter, point.cost),
+                   upper = statistics::quality_at(most, point.cost);
+      if (std::isfinite(upper))
+        line.points.push_back({point.cost, factor * point.quality, factor * lower, factor * upper});
     }
   }
-  chart.description =
-      "Attained by half of the trials, with a band from a quarter to three quarters of them. " + ends_of(chart, false);
+  chart.description = "Attained by half of the trials, with a band from a quarter to three quarters of them. " +
+                      ends_text(chart, false);
   return chart;
 }
 

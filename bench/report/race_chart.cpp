@@ -69,19 +69,6 @@ std::optional<ChartRule> best_known(const ProblemReport& problem, Raced raced, c
                                    figure_text(at, kRuleDigits))};
 }
 
-// In words: who stands where at the end, the best first.
-std::string description(const LineChart& chart) {
-  std::vector<const ChartLine*> lines;
-  for (const ChartLine& line : chart.lines)
-    if (!line.points.empty()) lines.push_back(&line);
-  std::ranges::stable_sort(lines, {}, [](const ChartLine* line) { return line->points.back().y; });
-  std::vector<std::string> ends;
-  for (const ChartLine* line : lines)
-    ends.push_back(fmt::format("{} {}", line->label, figure_text(line->points.back().y, 3)));
-  return fmt::format("Median over trials, with the middle half of them as a band. At the end, lowest first: {}.",
-                     fmt::join(ends, ", "));
-}
-
 }  // namespace
 
 std::vector<Axis> axes_of(const ProblemReport& problem) {
@@ -125,6 +112,20 @@ bool has_gap(const ProblemReport& problem) {
          !table.reference.unimproved && *table.start_quality > table.reference.best_quality;
 }
 
+std::string ends_text(const LineChart& chart, bool highest_first) {
+  std::vector<const ChartLine*> lines;
+  for (const ChartLine& line : chart.lines)
+    if (!line.points.empty()) lines.push_back(&line);
+  std::ranges::stable_sort(lines, [highest_first](const ChartLine* a, const ChartLine* b) {
+    const double first = a->points.back().y, second = b->points.back().y;
+    return highest_first ? first > second : first < second;
+  });
+  std::vector<std::string> texts;
+  for (const ChartLine* line : lines)
+    texts.push_back(fmt::format("{} {}", line->label, figure_text(line->points.back().y, 3)));
+  return fmt::format("At the end, {} first: {}.", highest_first ? "highest" : "lowest", fmt::join(texts, ", "));
+}
+
 LineChart race_chart(const ProblemReport& problem, Raced raced, Axis axis) {
   const Height height = height_of(problem, raced);
   const std::string up = height_title(problem, raced);
@@ -136,7 +137,7 @@ LineChart race_chart(const ProblemReport& problem, Raced raced, Axis axis) {
   for (const OptimizerCurves& curves : curves_of(problem, raced))
     chart.lines.push_back(line_of(curves, problem.table, axis, height));
   chart.rule = best_known(problem, raced, height);
-  chart.description = description(chart);
+  chart.description = "Median over trials, with the middle half of them as a band. " + ends_text(chart, false);
   return chart;
 }
 

@@ -31,6 +31,8 @@ enum class Raced {
 
 /// There is a gap to draw: the start was measured and isn't the best.
 [[nodiscard]] bool has_gap(const ProblemReport& problem);
+/// In words, for those who don't see a chart: at what height each line ends, the best first.
+[[nodiscard]] std::string ends_text(const LineChart& chart, bool highest_first);
 /// The chart without a script. Empty lines where there are no curves.
 [[nodiscard]] LineChart race_chart(const ProblemReport& problem, Raced raced, Axis axis);
 /// The same for report.js: all axes, qualities from which it makes gaps.
