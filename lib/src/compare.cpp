@@ -62,6 +62,7 @@ class Comparison {
       run_here();
     }
     if (shared_) count_failures_of_all();
+    store_.leave();
     if (claims_ && !store_.other_writer()) claims_->leave_last();
     result_.interrupted = interrupted() && done_ < total_;
     return result_;

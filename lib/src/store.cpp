@@ -54,14 +54,23 @@ struct Store::State {
   std::unordered_map<std::string, std::size_t> by_key;
   std::vector<std::string> warnings;
   TrialFile file;
+  std::uintmax_t size_read = 0;                     // of the files of trials
   std::unique_ptr<StoreLock> lock;                  // since `begin`
   std::optional<std::pair<dev_t, ino_t>> identity;  // of the directory, since `begin`
   InMemory in_memory;
 
   explicit State(fs::path path, InMemory memory = InMemory::whole)
       : directory(std::move(path)), file(directory), in_memory(memory) {
+    read();
+  }
+
+  void read() {
     try {
       manifest = read_manifest(directory / kManifest);
+      size_read = size_of_trial_files(directory);
+      records.clear();
+      by_key.clear();
+      warnings.clear();
       StoredLines lines = read_trial_files(directory, [this](TrialRecord& record) { shorten(record); });
       for (TrialRecord& record : lines.records) add(std::move(record));
       for (const TornLine& line : lines.torn) warn_of_torn(line);
@@ -101,6 +110,16 @@ struct Store::State {
   void warn_of_origins(const Value& here, const std::string& whose) {
     for (std::string& warning : origin_warnings(directory.string(), manifest, records, here, whose))
       warnings.push_back(std::move(warning));
+  }
+
+  // From now on others see this process; what they stored before that, and may have cleared their claims of, is read.
+  void take_lock() {
+    lock.reset();  // first: closing a lock's file gives up every lock that a process has on it
+    lock = std::make_unique<StoreLock>(directory);
+    if (size_of_trial_files(directory) != size_read) read();
+    if (const std::string why = lock->trouble(); !why.empty())
+      warnings.push_back(fmt::format("'{}' can't be locked ({}): another comparison that writes here goes unnoticed",
+                                     (directory / ".lock").string(), why));
   }
 
   std::optional<std::pair<dev_t, ino_t>> present_identity() const {
@@ -152,16 +171,10 @@ void Store::begin(const Study& study) {
   State& state = *state_;
   const fs::path path = state.directory / kManifest;
   const Value here = provenance();
+  state.take_lock();
   if (const std::string other = other_study(state.manifest, study); !other.empty())
     state.warnings.push_back(fmt::format("'{}' {}: the report will show this one only; --out DIR keeps them apart",
                                          state.directory.string(), other));
-  if (!state.lock) {
-    state.lock = std::make_unique<StoreLock>(state.directory);
-    if (const std::string why = state.lock->trouble(); !why.empty())
-      state.warnings.push_back(
-          fmt::format("'{}' can't be locked ({}): another comparison that writes here goes unnoticed",
-                      (state.directory / ".lock").string(), why));
-  }
   remove_leftovers(state.directory);
   const StoreLock::Alone alone(*state.lock);
   Value manifest = make_manifest(study, read_manifest(path), here);  // read again: others may have begun since
@@ -181,6 +194,10 @@ void Store::append(const TrialRecord& record, const std::string& line) {
   TrialRecord kept = record;
   state_->shorten(kept);
   state_->add(std::move(kept));
+}
+
+void Store::leave() noexcept {
+  if (state_->lock) state_->lock->release();
 }
 
 std::optional<int> Store::other_writer() const noexcept {

@@ -53,6 +53,8 @@ std::optional<int> StoreLock::other_writer() const noexcept {
   return static_cast<int>(lock.l_pid);
 }
 
+void StoreLock::release() noexcept { set_lock(descriptor_, kWritersByte, F_UNLCK); }
+
 // Whoever holds it for longer was stopped in the middle; its manifest is whole, as that is replaced at once.
 StoreLock::Alone::Alone(const StoreLock& lock) noexcept : lock_(lock) {
   for (int tries = 0; tries < kMostTries && !set_lock(lock_.descriptor_, kManifestByte, F_WRLCK); ++tries)

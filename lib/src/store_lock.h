@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-/// Who else writes to a store: every comparison holds a shared lock on the store's file `.lock` while it lives, and
+/// Who else writes to a store: every comparison holds a shared lock on the store's file `.lock` until it leaves, and
 /// asks whether another process does. Nobody waits for anybody for long; where there are no locks, nobody is seen, and
 /// `trouble` says why.
 ///
@@ -25,6 +25,9 @@ class StoreLock {
 
   /// The process of another comparison that writes here now.
   [[nodiscard]] std::optional<int> other_writer() const noexcept;
+
+  /// This process no longer writes here: others don't see it any more.
+  void release() noexcept;
 
   /// While it lives no other process is in such a scope, unless that one stays for over a second: for reading, changing
   /// and writing the manifest.

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <charconv>
 #include <chrono>
-#include <cstdint>
 #include <tuple>
 
 #include <fmt/format.h>
@@ -100,6 +99,15 @@ StoredLines read_trial_files(const fs::path& store, const Each& each) {
     }
   }
   return result;
+}
+
+std::uintmax_t size_of_trial_files(const fs::path& store) {
+  std::uintmax_t sum = 0;
+  for (const fs::path& file : files_in_order(store)) {
+    std::error_code error;
+    if (const std::uintmax_t size = fs::file_size(file, error); !error) sum += size;
+  }
+  return sum;
 }
 
 void TrialFile::append(const std::string& line) {

@@ -3,6 +3,7 @@
 
 /// The files trials/*.jsonl of a store: one per writing process, append-only.
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -27,6 +28,10 @@ struct StoredLines {
 /// read; NewerSchemaError.
 [[nodiscard]] StoredLines read_trial_files(const std::filesystem::path& store,
                                            const std::function<void(TrialRecord&)>& each = {});
+
+/// The bytes of these files: they have grown when somebody has stored a trial since. Those without a size
+/// count nothing: reading them says what is wrong.
+[[nodiscard]] std::uintmax_t size_of_trial_files(const std::filesystem::path& store);
 
 /// The file of this process. It is open only while a line is written, so that children never hold it.
 class TrialFile {

@@ -156,6 +156,37 @@ TEST(Compare, SharesItsTrialsWithAnotherOne) {
   EXPECT_FALSE(std::filesystem::exists(directory.path() / "claims")) << "whoever leaves last clears up";
 }
 
+// Of two that leave at once each would see the other, had they not stopped writing first.
+TEST(Compare, DoesntTakeOneThatHasStoppedWritingForAWriter) {
+  const TemporaryDirectory directory;
+  const Study study = study_with(use("halving"));
+  int left[2], end[2];
+  ASSERT_EQ(::pipe(left), 0);
+  ASSERT_EQ(::pipe(end), 0);
+  const pid_t other = ::fork();
+  if (other == 0) {
+    char byte = 'x';
+    ::close(end[1]);
+    Store store(directory.path());
+    store.begin(study);
+    store.leave();
+    (void)!::write(left[1], &byte, 1);
+    (void)!::read(end[0], &byte, 1);
+    ::_exit(0);
+  }
+  char byte = 0;
+  ASSERT_EQ(::read(left[0], &byte, 1), 1);
+  std::vector<std::string> warnings;
+  CompareObserver observer;
+  observer.warned = [&](const std::string& warning) { warnings.push_back(warning); };
+  (void)run(study, directory, {}, observer);
+  EXPECT_EQ(warnings, std::vector<std::string>());
+  EXPECT_FALSE(std::filesystem::exists(directory.path() / "claims"));
+  ::close(end[1]);
+  ::waitpid(other, nullptr, 0);
+  for (const int descriptor : {left[0], left[1], end[0]}) ::close(descriptor);
+}
+
 TEST(Compare, TakesAwayNothingButItsClaims) {
   const TemporaryDirectory directory;
   const std::filesystem::path claims = directory.path() / "claims";

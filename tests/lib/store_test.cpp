@@ -177,6 +177,18 @@ TEST(Store, AddsARunToTheManifestEveryTime) {
   EXPECT_EQ(store.manifest().at("keys").list().size(), 6u);
 }
 
+TEST(Store, ReadsWhatWasStoredBetweenItsOpeningAndItsBeginning) {
+  const TemporaryDirectory temporary;
+  const Study study = toy_study();
+  Store late(temporary.path());
+  Store early(temporary.path());
+  early.append(record_of("a"));
+  EXPECT_EQ(late.find("a"), nullptr);
+  late.begin(study);
+  EXPECT_NE(late.find("a"), nullptr);
+  EXPECT_EQ(late.records().size(), 1u);
+}
+
 // Of a trial that the study asks for.
 TrialRecord wanted_record(std::optional<Conditions> conditions) {
   const Study study = toy_study();

@@ -53,12 +53,14 @@ class Store {
 
   /// Writes the study into the manifest (atomically), with this build's provenance and the keys of its trials, before
   /// the first trial runs. Removes what writers that died have left half-written. Warns when results of another build,
-  /// processor or study are here.
+  /// processor or study are here. What others have stored since this object was made is read, too.
   void begin(const Study& study);
   /// Stores one record: written and flushed to the system when this returns.
   void append(const TrialRecord& record);
   /// The same of a record that is written already; only `line` is what is stored.
   void append(const TrialRecord& record, const std::string& line);
+  /// After the last `append`: this process no longer writes here. Of several that leave at once the last sees nobody.
+  void leave() noexcept;
   /// After `begin`: the process of another comparison that writes here now.
   [[nodiscard]] std::optional<int> other_writer() const noexcept;
 
