@@ -44,6 +44,25 @@ LineChart share_chart(std::string title, std::string across, bool seconds, const
   return chart;
 }
 
+// Where an optimizer's line begins and ends in the race: the start, at cost 0, has no place of its own on a logarithmic
+// axis.
+std::array<double, 2> ends_in_race(const ProblemReport& problem, const std::string& optimizer, Axis axis) {
+  const auto raced = std::ranges::find(problem.curves, optimizer, &OptimizerCurves::optimizer);
+  if (raced == problem.curves.end()) return {0.0, 0.0};
+  const std::vector<CurvePoint>& curve = raced->by_axis[static_cast<std::size_t>(axis)];
+  return curve.empty() ? std::array{0.0, 0.0} : std::array{curve.front().position, curve.back().position};
+}
+
+// What was attained before the race's left end stands at that end; what is attained at last lasts to the right one.
+void keep_between(const std::array<double, 2>& ends, std::vector<ChartPoint>& points) {
+  for (ChartPoint& point : points) point.x = std::max(point.x, ends[0]);
+  const auto [kept, end] = std::ranges::unique(points.rbegin(), points.rend(), {}, &ChartPoint::x);
+  points.erase(points.begin(), kept.base());
+  if (points.empty() || points.back().x >= ends[1]) return;
+  points.push_back(points.back());
+  points.back().x = ends[1];
+}
+
 }  // namespace
 
 LineChart attainment_chart(const ProblemReport& problem, const ProblemConvergence& convergence, Axis axis) {
@@ -64,6 +83,7 @@ LineChart attainment_chart(const ProblemReport& problem, const ProblemConvergenc
       if (std::isfinite(upper))
         line.points.push_back({point.cost, factor * point.quality, factor * lower, factor * upper});
     }
+    keep_between(ends_in_race(problem, figures.optimizer, axis), line.points);
   }
   chart.description = "Attained by half of the trials, with a band from a quarter to three quarters of them. " +
                       ends_text(chart, false);

@@ -3,9 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
-#include <deque>
 #include <thread>
-#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -17,10 +15,10 @@
 #include "contamination.h"
 #include "core.h"
 #include "lane_trials.h"
+#include "open_trials.h"
 #include "rerun.h"
 #include "running_trials.h"
 #include "timing_lane.h"
-#include "trial_claims.h"
 #include "trial_message.h"
 
 namespace nodal {
@@ -51,7 +49,9 @@ class Comparison {
     store_.begin(study_);
     for (const std::string& warning : store_.warnings()) warn(warning);
     look_for_others();
-    find_missing();
+    open_.emplace(study_, store_, rerun_, options_.keys);
+    result_.failed = open_->failed();
+    if (observer_.began) observer_.began(open_->total(), open_->done());
     describe_conditions();
     share_work();
     if (options_.isolate) {
@@ -61,42 +61,18 @@ class Comparison {
     } else {
       run_here();
     }
-    if (shared_) count_failures_of_all();
+    if (open_->shared()) count_failures_of_all();
     store_.leave();
-    if (claims_ && !store_.other_writer()) claims_->leave_last();
-    result_.interrupted = interrupted() && done_ < total_;
+    if (!store_.other_writer()) open_->leave_last();
+    result_.interrupted = interrupted() && open_->done() < open_->total();
     return result_;
   }
 
  private:
-  struct Missing {
-    Trial trial;
-    std::int64_t attempt = 1;
-    int stops = 0;
-  };
-
   bool interrupted() const { return options_.interrupted && options_.interrupted->load(); }
 
   void warn(const std::string& warning) const {
     if (observer_.warned) observer_.warned(warning);
-  }
-
-  void find_missing() {
-    std::optional<std::unordered_set<std::string>> own;
-    if (options_.keys) own.emplace(options_.keys->begin(), options_.keys->end());
-    for (const Trial& trial : all_trials(study_)) {
-      const std::string key = trial_key(study_, trial);
-      if (own && !own->contains(key)) continue;
-      ++total_;
-      const TrialRecord* stored = store_.find(key);
-      if (stored && !rerun_.means(*stored)) {
-        result_.failed += is_failure(stored->end);
-        ++done_;
-      } else {
-        missing_.push_back({trial, stored ? stored->attempt + 1 : 1});
-      }
-    }
-    if (observer_.began) observer_.began(total_, done_);
   }
 
   void describe_conditions() {
@@ -104,7 +80,7 @@ class Comparison {
     const std::size_t jobs = options_.isolate ? static_cast<std::size_t>(std::max(1, options_.jobs)) : 1;
     conditions_.build = build_id(here);
     conditions_.processor = here.at("processor").text();
-    conditions_.jobs = static_cast<std::int64_t>(std::min(jobs, std::max<std::size_t>(1, missing_.size())));
+    conditions_.jobs = static_cast<std::int64_t>(std::min(jobs, std::max<std::size_t>(1, open_->waiting())));
     conditions_.cores = allowed_cores();
   }
 
@@ -122,20 +98,9 @@ class Comparison {
 
   // A share's trials are its own.
   void share_work() {
-    if (options_.keys || missing_.empty()) return;
+    if (options_.keys) return;
     const double patience = std::min(kMostPatience, seconds_allowed(study_, options_.grace_seconds));
-    claims_.emplace(store_.directory(), !store_.other_writer(), std::chrono::duration<double>(patience));
-  }
-
-  // What somebody else has stored meanwhile counts as done.
-  TrialClaims::Answer claim(const Missing& entry) {
-    if (!claims_) return TrialClaims::Answer::granted;
-    const TrialClaims::Answer answer = claims_->claim(trial_key(study_, entry.trial), entry.attempt);
-    if (answer == TrialClaims::Answer::done) {
-      ++done_;
-      shared_ = true;
-    }
-    return answer;
+    open_->share(!store_.other_writer(), std::chrono::duration<double>(patience));
   }
 
   // Trials that others ran have failed like those of this process.
@@ -149,16 +114,13 @@ class Comparison {
   // Trials that ran beside others and lack company that ran alone, once more. Whoever runs a share sees too little for
   // that, and nobody is alone while others work here: their times wait for the next comparison.
   void begin_timing() {
-    missing_.clear();
-    if (options_.keys || options_.time_lane <= 0 || done_ < total_) return;
-    if (shared_ || store_.other_writer()) return;
-    for (const Trial& trial : lane_trials(study_, store_, options_.time_lane))
-      missing_.push_back({trial, store_.find(trial_key(study_, trial))->attempt + 1});
-    if (missing_.empty()) return;
+    if (options_.keys || options_.time_lane <= 0 || open_->done() < open_->total()) return;
+    if (open_->shared() || store_.other_writer()) return;
+    open_->add(lane_trials(study_, store_, options_.time_lane));
+    if (open_->waiting() == 0) return;
     conditions_.jobs = 1;
-    total_ += missing_.size();
     timing_ = true;
-    if (observer_.timing) observer_.timing(missing_.size());
+    if (observer_.timing) observer_.timing(open_->waiting());
   }
 
   bool alone() const { return options_.isolate && conditions_.jobs == 1; }
@@ -166,7 +128,7 @@ class Comparison {
   void keep(EndedTrial ended) {
     look_for_others();
     TrialRecord& record = ended.record;
-    record.attempt = missing_[ended.ticket].attempt;
+    record.attempt = open_->entry(ended.ticket).attempt;
     const std::optional<Conditions> sent = record.conditions;
     describe_conditions(record);
     record.conditions->beside_others = others_seen_ && *others_seen_ >= ended.began;
@@ -175,11 +137,10 @@ class Comparison {
     if (timing_) compare_with_former(record);
     const Conditions& now = *record.conditions;
     store(record, ended.line, sent && !now.beside_others && !now.stopped && now.pace == sent->pace);
-    if (claims_) claims_->done(record.key, record.attempt);
+    open_->stored(ended.ticket);
     ++result_.ran;
-    ++done_;
     result_.failed += is_failure(record.end);
-    if (observer_.finished) observer_.finished(record, done_, total_);
+    if (observer_.finished) observer_.finished(record, open_->done(), open_->total());
   }
 
   // What its process says of itself is in it already.
@@ -238,7 +199,7 @@ class Comparison {
     std::string reason;
     try {
       TrialRecord record = run_clocked_trial(study_, trial, registry_, alone() ? lane_.core() : std::nullopt);
-      record.attempt = missing_[ticket].attempt;
+      record.attempt = open_->entry(ticket).attempt;
       describe_conditions(record);
       return trial_message(record);
     } catch (const std::exception& error) {
@@ -250,28 +211,31 @@ class Comparison {
   }
 
   void run_here() {
-    for (std::size_t i = 0; i < missing_.size() && !interrupted(); ++i) {
-      if (claim(missing_[i]) != TrialClaims::Answer::granted) continue;
+    while (!interrupted() && open_->waiting() > 0) {
+      open_->beat();
+      const std::optional<std::size_t> ticket = open_->next();
+      if (!ticket) {
+        wait_for_others();
+        continue;
+      }
       const Clock::time_point began = Clock::now();
-      auto [record, line] = read_trial_message(run_to_message(missing_[i].trial, i));
-      keep({i, std::move(record), std::move(line), false, began});
+      auto [record, line] = read_trial_message(run_to_message(open_->entry(*ticket).trial, *ticket));
+      keep({*ticket, std::move(record), std::move(line), false, began});
     }
   }
 
   void run_children() {
-    std::deque<std::size_t> next;  // indices of `missing_`
-    for (std::size_t i = 0; i < missing_.size(); ++i) next.push_back(i);
     RunningTrials running(
         study_, [this](const Trial& trial, std::size_t ticket) { return run_to_message(trial, ticket); },
         options_.grace_seconds);
-    if (alone() && !next.empty()) lane_.look();
-    while (!interrupted() && (!next.empty() || running.size() > 0)) {
-      start_trials(next, running);
+    if (alone() && open_->waiting() > 0) lane_.look();
+    while (!interrupted() && (open_->waiting() > 0 || running.size() > 0)) {
+      start_trials(running);
       for (EndedTrial& ended : running.wait()) {
         // Whoever interrupts this process may have ended its children, too: they have not crashed.
         if (interrupted() && ended.record.end == End::crashed) continue;
         if (run_again(ended))
-          next.push_front(ended.ticket);
+          open_->again(ended.ticket);
         else
           keep(std::move(ended));
       }
@@ -281,23 +245,24 @@ class Comparison {
     // What an interrupt left running is killed here: it is not stored and runs again next time.
   }
 
-  // As many as may run at once. Those that another comparison runs stay in the list until it has stored them, or has
-  // died.
-  void start_trials(std::deque<std::size_t>& next, RunningTrials& running) {
+  // As many as may run at once.
+  void start_trials(RunningTrials& running) {
     const auto jobs = static_cast<std::size_t>(conditions_.jobs);
-    for (std::size_t looks = next.size(); looks > 0 && running.size() < jobs; --looks) {
-      const std::size_t ticket = next.front();
-      next.pop_front();
-      const TrialClaims::Answer answer = claim(missing_[ticket]);
-      if (answer == TrialClaims::Answer::granted) running.start(missing_[ticket].trial, ticket);
-      if (answer == TrialClaims::Answer::others) next.push_back(ticket);
+    while (running.size() < jobs) {
+      const std::optional<std::size_t> ticket = open_->next();
+      if (!ticket) break;
+      running.start(open_->entry(*ticket).trial, *ticket);
     }
-    if (claims_) claims_->beat();
-    if (running.size() == 0 && !next.empty()) std::this_thread::sleep_for(kWaitForOthers);
+    open_->beat();
+    if (running.size() == 0) wait_for_others();
+  }
+
+  void wait_for_others() const {
+    if (open_->waiting() > 0) std::this_thread::sleep_for(kWaitForOthers);
   }
 
   bool run_again(const EndedTrial& ended) {
-    if (!ended.stopped || ++missing_[ended.ticket].stops > kMostStops) return false;
+    if (!ended.stopped || open_->count_stop(ended.ticket) > kMostStops) return false;
     warn(fmt::format("{}, repeat {}, was stopped and continued while it ran: it runs again", ended.record.optimizer,
                      ended.record.repeat));
     return true;
@@ -311,12 +276,9 @@ class Comparison {
   Rerun rerun_;
   Conditions conditions_;
   TimingLane lane_;
-  bool timing_ = false;  // trials that are stored run once more
-  std::vector<Missing> missing_;
-  std::optional<TrialClaims> claims_;  // where work is shared
-  bool shared_ = false;                // others have run some of it
+  bool timing_ = false;             // trials that are stored run once more
+  std::optional<OpenTrials> open_;  // once the store is as others have left it
   std::optional<Clock::time_point> others_seen_;
-  std::size_t total_ = 0, done_ = 0;
   CompareResult result_;
 };
 

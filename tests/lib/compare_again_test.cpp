@@ -130,30 +130,33 @@ TEST(Compare, SaysAndNotesThatAnotherComparisonWritesHere) {
 }
 
 // Runs a comparison in a process of its own.
-pid_t compare_elsewhere(const Study& study, const TemporaryDirectory& directory) {
+pid_t compare_elsewhere(const Study& study, const TemporaryDirectory& directory, const CompareOptions& options) {
   const pid_t process = ::fork();
   if (process != 0) return process;
   int status = 1;
   try {
-    status = run(study, directory).interrupted ? 1 : 0;
+    status = run(study, directory, options).interrupted ? 1 : 0;
   } catch (...) {
   }
   ::_exit(status);
 }
 
 TEST(Compare, SharesItsTrialsWithAnotherOne) {
-  const TemporaryDirectory directory;
   const Study study = study_with(use("wanderer") + use("halving"));
-  const pid_t other = compare_elsewhere(study, directory);
-  const CompareResult result = run(study, directory);
-  int status = 1;
-  ::waitpid(other, &status, 0);
-  EXPECT_EQ(status, 0);
-  EXPECT_EQ(result.failed, 0u);
-  const Store store(directory.path());
-  EXPECT_EQ(store.records().size(), all_trials(study).size());
-  EXPECT_EQ(lines_in(directory), all_trials(study).size()) << "each trial ran once";
-  EXPECT_FALSE(std::filesystem::exists(directory.path() / "claims")) << "whoever leaves last clears up";
+  for (const bool isolate : {true, false}) {
+    const TemporaryDirectory directory;
+    const CompareOptions options{.isolate = isolate};
+    const pid_t other = compare_elsewhere(study, directory, options);
+    const CompareResult result = run(study, directory, options);
+    int status = 1;
+    ::waitpid(other, &status, 0);
+    EXPECT_EQ(status, 0);
+    EXPECT_EQ(result.failed, 0u);
+    const Store store(directory.path());
+    EXPECT_EQ(store.records().size(), all_trials(study).size());
+    EXPECT_EQ(lines_in(directory), all_trials(study).size()) << "each trial ran once";
+    EXPECT_FALSE(std::filesystem::exists(directory.path() / "claims")) << "whoever leaves last clears up";
+  }
 }
 
 // Of two that leave at once each would see the other, had they not stopped writing first.

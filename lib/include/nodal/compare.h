@@ -26,7 +26,8 @@ struct CompareOptions {
   /// more in the end, alone, for their times (`timed_trials` in analysis.h). These records replace the former ones;
   /// but for seconds they must be the same where the clock ended neither, or a warning says so. Not with `keys`.
   int time_lane = 0;
-  bool isolate = true;          ///< false runs trials in this process, one after the other
+  /// False runs trials in this process, one after the other; others see it live only between them.
+  bool isolate = true;
   double grace_seconds = 30.0;  ///< a trial is killed this long after ten times its budget of seconds [s]
   /// Stored trials that run again: of the optimizers with these labels (or the `use` of exactly one entry), or those
   /// that `failed`, or those that are `contaminated` (record.h). What they gave before stays in its file.

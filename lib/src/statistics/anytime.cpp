@@ -54,19 +54,20 @@ double area_over_convergence(const History& gaps, const AnytimeLimits& limits) {
   if (!(0.0 < limits.from && limits.from < limits.to && 0.0 < limits.smallest && limits.smallest < limits.largest))
     throw std::invalid_argument("statistics: limits of an area must be positive and in order");
   const double whole = std::log(limits.largest / limits.smallest);
-  const auto height = [&](double gap) {
-    return gap > 0.0 ? std::clamp(std::log(gap / limits.smallest) / whole, 0.0, 1.0) : 0.0;
+  // The room above the curve is summed, not what is under it: without any the area is 0, not what rounding leaves.
+  const auto room = [&](double gap) {
+    return gap > 0.0 ? 1.0 - std::clamp(std::log(gap / limits.smallest) / whole, 0.0, 1.0) : 1.0;
   };
-  double under = 0.0, from = limits.from, gap = quality_at(gaps, limits.from);
+  double over = 0.0, from = limits.from, gap = quality_at(gaps, limits.from);
   for (const BestSoFar& point : gaps) {
     if (point.cost <= limits.from) continue;
     if (point.cost >= limits.to) break;
-    under += height(gap) * std::log(point.cost / from);
+    over += room(gap) * std::log(point.cost / from);
     from = point.cost;
     gap = point.quality;
   }
-  under += height(gap) * std::log(limits.to / from);
-  return 1.0 - under / std::log(limits.to / limits.from);
+  over += room(gap) * std::log(limits.to / from);
+  return std::min(1.0, over / std::log(limits.to / limits.from));
 }
 
 }  // namespace nodal::statistics

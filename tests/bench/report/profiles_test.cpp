@@ -122,6 +122,25 @@ TEST(Profiles, AttainedIsDrawnBetweenAQuarterAndThreeQuarters) {
   EXPECT_EQ(at(20.0).upper, 1.0);
 }
 
+// From the race's left end, where evaluation 0 stands, to its right one; also where nothing is ever improved.
+TEST(Profiles, AttainedIsDrawnFromTheStartToTheEnd) {
+  MadeStore made;
+  made.add("p", "a", 0, {{5, 1.0}});
+  made.add("p", "still", 0, {});
+  std::vector<Store> stores;
+  stores.push_back(made.write());
+  const ReportData data = collect(stores, Registry());
+  const LineChart chart = attainment_chart(data.problems[0], data.convergence[0], Axis::evaluations);
+  ASSERT_EQ(chart.lines.size(), 2u);
+  for (const ChartLine& line : chart.lines) {
+    ASSERT_GE(line.points.size(), 2u) << line.label;
+    EXPECT_EQ(line.points.front().x, 1.0) << line.label;
+    EXPECT_EQ(line.points.front().y, 1.0) << line.label;
+    EXPECT_EQ(line.points.back().x, 5000.0) << line.label;
+    EXPECT_EQ(line.points.back().y, line.label == "a" ? 0.25 : 1.0) << line.label;
+  }
+}
+
 TEST(Convergence, RefusedTargetsAreNamedWithTheReason) {
   ProblemConvergence problem = problem_of({{10.0, 20.0}});
   problem.least_gap = 3e-3;

@@ -65,6 +65,7 @@ TEST(Anytime, AreaOverAConvergenceCurve) {
   EXPECT_EQ(area_over_convergence({}, limits), 0.0);
   EXPECT_EQ(area_over_convergence({{2e4, 0.0}}, limits), 0.0);
   EXPECT_EQ(area_over_convergence({{1.0, 1e-8}}, limits), 1.0);
+  EXPECT_EQ(area_over_convergence({{0.0, 1.0}, {3.0, 1.0}, {7.0, 1.0}, {4901.0, 1.0}}, limits), 0.0);
   EXPECT_THROW((void)area_over_convergence({}, {1.0, 1.0}), std::invalid_argument);
   EXPECT_THROW((void)area_over_convergence({}, {0.0, 1.0}), std::invalid_argument);
 }
