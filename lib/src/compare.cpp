@@ -100,7 +100,7 @@ class Comparison {
   void share_work() {
     if (options_.keys) return;
     const double patience = std::min(kMostPatience, seconds_allowed(study_, options_.grace_seconds));
-    open_->share(!store_.other_writer(), std::chrono::duration<double>(patience));
+    open_->share(std::chrono::duration<double>(patience));
   }
 
   // Trials that others ran have failed like those of this process.

@@ -8,6 +8,7 @@
 
 #include <cerrno>
 #include <cstring>
+#include <random>
 #include <system_error>
 
 #include <fmt/format.h>
@@ -70,12 +71,13 @@ class Reading {
   int descriptor_;
 };
 
-// Beside the file and renamed over it. It keeps the permissions of the file that it replaces.
+// Beside the file and renamed over it. It keeps the permissions of the file that it replaces. Processes of several
+// machines or containers may have one number: digits by chance keep their files apart.
 void write_beside_and_rename(const fs::path& path, const fs::path& shown, mode_t mode, std::string_view content) {
-  const fs::path temporary = fmt::format("{}.{}.part", path.string(), ::getpid());
+  std::random_device digits;
+  const fs::path temporary = fmt::format("{}.{:08x}{:08x}.{}.part", path.string(), digits(), digits(), ::getpid());
   try {
     {
-      ::unlink(temporary.c_str());  // of a process of this number that was killed; or planted there
       FileDescriptor file(temporary, O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW, kOrdinaryMode, shown);
       if (mode != kOrdinaryMode) {
         [[maybe_unused]] const int ignored = ::fchmod(file.get(), mode);

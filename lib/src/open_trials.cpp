@@ -25,8 +25,8 @@ OpenTrials::OpenTrials(const Study& study, const Store& store, const Rerun& reru
   }
 }
 
-void OpenTrials::share(bool alone, std::chrono::duration<double> patience) {
-  if (!entries_.empty()) claims_.emplace(store_.directory(), alone, patience);
+void OpenTrials::share(std::chrono::duration<double> patience) {
+  if (!entries_.empty()) claims_.emplace(store_.directory(), patience);
 }
 
 std::optional<std::size_t> OpenTrials::next() {

@@ -44,7 +44,7 @@ class OpenTrials {
   [[nodiscard]] const Entry& entry(std::size_t ticket) const { return entries_[ticket]; }
 
   /// From now on others are looked out for. An owner of claims may be silent for `patience`.
-  void share(bool alone, std::chrono::duration<double> patience);
+  void share(std::chrono::duration<double> patience);
   /// A ticket for one that nobody else runs; empty when others run all that wait. Those stay until they are stored, or
   /// whoever runs them has died.
   [[nodiscard]] std::optional<std::size_t> next();
@@ -56,7 +56,7 @@ class OpenTrials {
   void stored(std::size_t ticket);
   /// At least every two seconds while trials run: this comparison lives.
   void beat();
-  /// Nobody else writes to the store: claims are cleared in the end.
+  /// Nobody else is known to write to the store: claims are cleared in the end.
   void leave_last();
   /// Stored trials run once more.
   void add(const std::vector<Trial>& trials);

@@ -2,10 +2,14 @@
 #include "trial_claims.h"
 
 #include <fcntl.h>
+#include <signal.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
 #include <cerrno>
+#include <charconv>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -25,11 +29,48 @@ namespace {
 constexpr std::chrono::seconds kBeat{2};
 constexpr std::string_view kDone = "done";
 
-std::string own_name() {
-  char host[256] = "host";
+bool is_digit(char c) { return '0' <= c && c <= '9'; }
+bool all_digits(std::string_view text) { return !text.empty() && std::ranges::all_of(text, is_digit); }
+
+// Where a process has its number: "HOST-SPACE", as containers of one machine count their own.
+std::string own_place() {
+  char host[256] = "host", link[64] = "";
   ::gethostname(host, sizeof host - 1);
+  (void)!::readlink("/proc/self/ns/pid", link, sizeof link - 1);  // "pid:[4026531836]"
+  std::string space;
+  for (const char c : std::string_view(link))
+    if (is_digit(c)) space += c;
+  return fmt::format("{}-{}", host, space.empty() ? "0" : space);
+}
+
+std::string own_name() {
   const auto now = std::chrono::system_clock::now().time_since_epoch();
-  return fmt::format("{}-{}-{}", host, ::getpid(), std::chrono::duration_cast<std::chrono::milliseconds>(now).count());
+  return fmt::format("{}-{}-{}", own_place(), ::getpid(),
+                     std::chrono::duration_cast<std::chrono::milliseconds>(now).count());
+}
+
+// The parts of "HOST-SPACE-PROCESS-MOMENT".
+struct Owner {
+  std::string place;
+  pid_t process = 0;
+};
+
+std::optional<Owner> parse_owner(std::string_view name) {
+  std::array<std::string_view, 3> numbers;  // from the right
+  for (std::string_view& number : numbers) {
+    const std::size_t dash = name.rfind('-');
+    if (dash == std::string_view::npos || !all_digits(number = name.substr(dash + 1))) return std::nullopt;
+    name = name.substr(0, dash);
+  }
+  Owner owner{fmt::format("{}-{}", name, numbers[2])};
+  std::from_chars(numbers[1].data(), numbers[1].data() + numbers[1].size(), owner.process);
+  return owner;
+}
+
+// Of another place nobody knows.
+bool is_known_dead(const Owner& owner) {
+  static const std::string here = own_place();
+  return owner.place == here && owner.process > 0 && ::kill(owner.process, 0) != 0 && errno == ESRCH;
 }
 
 std::string file_name(const std::string& key, std::int64_t attempt) { return fmt::format("{}.{}", key, attempt); }
@@ -64,33 +105,33 @@ std::optional<double> touched_at(const fs::path& file) {
   return static_cast<double>(status.st_mtim.tv_sec) + 1e-9 * static_cast<double>(status.st_mtim.tv_nsec);
 }
 
-// What claims leave behind, and nothing that somebody else has put there.
+// What claims leave behind, and nothing that somebody else has put there: OWNER.alive, OWNER.new, OWNER.stale,
+// KEY.ATTEMPT, and what replace_file makes of these.
 bool is_of_claims(const fs::path& file) {
-  const std::string end = file.extension().string(), key = file.stem().string();
-  if (end == ".alive" || end == ".new" || end == ".stale" || end == ".part") return true;
+  const std::string end = file.extension().string(), stem = file.stem().string();
+  if (end == ".part") return is_of_claims(fs::path(stem).stem().stem());
+  if (end == ".alive" || end == ".new" || end == ".stale") return parse_owner(stem).has_value();
   constexpr std::size_t kKeyDigits = 32;
-  const bool numbered = end.size() > 1 && end.find_first_not_of("0123456789", 1) == std::string::npos;
-  return numbered && key.size() == kKeyDigits && key.find_first_not_of("0123456789abcdef") == std::string::npos;
+  return end.size() > 1 && all_digits(std::string_view(end).substr(1)) && stem.size() == kKeyDigits &&
+         stem.find_first_not_of("0123456789abcdef") == std::string::npos;
 }
 
-void clear(const fs::path& folder) {
-  std::error_code ignored;
+std::vector<fs::path> files_of_claims(const fs::path& folder) {
+  std::error_code error;
   std::vector<fs::path> files;
-  for (fs::directory_iterator entry(folder, ignored), end; !ignored && entry != end; entry.increment(ignored))
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
     if (is_of_claims(entry->path())) files.push_back(entry->path());
-  for (const fs::path& file : files) fs::remove(file, ignored);
-  fs::remove(folder, ignored);  // stays where it isn't empty
+  return files;
 }
 
 }  // namespace
 
-TrialClaims::TrialClaims(const fs::path& store, bool alone, std::chrono::duration<double> patience)
+TrialClaims::TrialClaims(const fs::path& store, std::chrono::duration<double> patience)
     : folder_(store / "claims"), own_(own_name()), patience_(patience) {
-  if (alone) clear(folder_);
   try {
     make_directory(folder_);
-    replace_file(folder_ / (own_ + ".alive"), "", Links::replace);
-    touched_ = std::chrono::steady_clock::now();
+    make_alive();
+    if (!others_live()) clear();
   } catch (const std::exception&) {
     own_.clear();
   }
@@ -98,14 +139,32 @@ TrialClaims::TrialClaims(const fs::path& store, bool alone, std::chrono::duratio
 
 TrialClaims::~TrialClaims() {
   if (own_.empty()) return;
-  if (last_) {
-    clear(folder_);
-    return;
-  }
   std::error_code ignored;
   for (const std::string& name : held_)
     if (content_of(folder_ / name) == own_) fs::remove(folder_ / name, ignored);
-  fs::remove(folder_ / (own_ + ".alive"), ignored);
+  if (last_ && !others_live()) clear();
+  fs::remove(alive(own_), ignored);
+  fs::remove(folder_, ignored);  // stays where it isn't empty
+}
+
+fs::path TrialClaims::alive(const std::string& owner) const { return folder_ / (owner + ".alive"); }
+
+void TrialClaims::make_alive() {
+  replace_file(alive(own_), "", Links::replace);
+  touched_ = std::chrono::steady_clock::now();
+}
+
+bool TrialClaims::others_live() const {
+  return std::ranges::any_of(files_of_claims(folder_), [this](const fs::path& file) {
+    return file.extension() == ".alive" && file != alive(own_) && lives(file.stem().string());
+  });
+}
+
+// All but this comparison's own sign of life.
+void TrialClaims::clear() const {
+  std::error_code ignored;
+  for (const fs::path& file : files_of_claims(folder_))
+    if (file != alive(own_)) fs::remove(file, ignored);
 }
 
 TrialClaims::Answer TrialClaims::claim(const std::string& key, std::int64_t attempt) {
@@ -118,7 +177,7 @@ TrialClaims::Answer TrialClaims::claim(const std::string& key, std::int64_t atte
     const std::optional<std::string> owner = content_of(folder_ / name);
     if (!owner) continue;
     if (*owner == kDone) return Answer::done;
-    if (!stale(*owner) || !take_over(name, *owner)) return Answer::others;
+    if (lives(*owner) || !take_over(name, *owner)) return Answer::others;
   }
   return Answer::others;
 }
@@ -130,11 +189,11 @@ bool TrialClaims::make(const std::string& name) {
   return made != Made::exists;
 }
 
-bool TrialClaims::stale(const std::string& owner) const {
-  const std::optional<double> theirs = touched_at(folder_ / (owner + ".alive"));
-  if (!theirs) return true;
-  const std::optional<double> own = touched_at(folder_ / (own_ + ".alive"));
-  return own && *own - *theirs > patience_.count();
+bool TrialClaims::lives(const std::string& owner) const {
+  const std::optional<double> theirs = touched_at(alive(owner)), own = touched_at(alive(own_));
+  if (!theirs || (own && *own - *theirs > patience_.count())) return false;
+  const std::optional<Owner> parsed = parse_owner(owner);
+  return !parsed || !is_known_dead(*parsed);
 }
 
 // Of several who see the same stale claim one moves it away. Who moves a new one by mistake, made since it looked, puts
@@ -160,8 +219,12 @@ void TrialClaims::done(const std::string& key, std::int64_t attempt) {
 
 void TrialClaims::beat() {
   if (own_.empty() || std::chrono::steady_clock::now() - touched_ < kBeat) return;
-  (void)::utimensat(AT_FDCWD, (folder_ / (own_ + ".alive")).c_str(), nullptr, 0);
   touched_ = std::chrono::steady_clock::now();
+  if (::utimensat(AT_FDCWD, alive(own_).c_str(), nullptr, 0) == 0) return;
+  try {
+    make_alive();
+  } catch (const std::exception&) {  // others may take its claims over: their trials are stored twice then
+  }
 }
 
 }  // namespace nodal

@@ -4,12 +4,12 @@
 /// How comparisons that write to one store share its trials: whoever makes the file of a trial's claim first runs it.
 ///
 /// claims/KEY.ATTEMPT holds the name of its owner, and "done" once the trial is stored. claims/OWNER.alive is touched
-/// every two seconds by a comparison that lives. A claim whose owner has left none, or has not touched it for longer
-/// than its trials may take, is stale, and whoever sees that first takes it over. Ages are differences between times of
-/// one file system's files: clocks of machines may differ. Nothing is lost if it all goes wrong: a trial that two run
-/// is stored twice, and the first counts.
+/// every two seconds by a comparison that lives. A claim is stale, and whoever sees that first takes it over, when its
+/// owner has left no such file, has not touched it for longer than its trials may take, or is a process of this machine
+/// that is no more. Ages are differences between times of one file system's files: clocks of machines may differ.
+/// Nothing is lost if it all goes wrong: a trial that two run is stored twice, and the first counts.
 ///
-/// Whoever comes to a store that nobody writes to, and whoever leaves one last, clears the folder.
+/// Whoever comes to a folder in which nobody lives, and whoever leaves one last, clears it of claims.
 ///
 /// Errors   a file system that lets no claims be made shares no work: every claim is granted.
 /// Threads  one object, one thread.
@@ -30,8 +30,8 @@ class TrialClaims {
     done,    ///< somebody has stored it since this store was read
   };
 
-  /// `alone`: nobody else writes to the store now. `patience`: how long an owner may be silent.
-  TrialClaims(const std::filesystem::path& store, bool alone, std::chrono::duration<double> patience);
+  /// `patience`: how long an owner may be silent.
+  TrialClaims(const std::filesystem::path& store, std::chrono::duration<double> patience);
   /// Gives back what was claimed and is not done.
   ~TrialClaims();
   TrialClaims(const TrialClaims&) = delete;
@@ -42,12 +42,16 @@ class TrialClaims {
   void done(const std::string& key, std::int64_t attempt);
   /// Call it at least every two seconds.
   void beat();
-  /// Clears the folder at the end: for who knows that nobody else writes to the store.
+  /// Clears the folder at the end if nobody else lives in it: for who knows of nobody who is about to come.
   void leave_last() { last_ = true; }
 
  private:
   bool make(const std::string& name);
-  bool stale(const std::string& owner) const;
+  std::filesystem::path alive(const std::string& owner) const;
+  void make_alive();
+  bool lives(const std::string& owner) const;
+  bool others_live() const;
+  void clear() const;
   bool take_over(const std::string& name, const std::string& owner);
 
   std::filesystem::path folder_;

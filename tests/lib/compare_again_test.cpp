@@ -190,17 +190,6 @@ TEST(Compare, DoesntTakeOneThatHasStoppedWritingForAWriter) {
   for (const int descriptor : {left[0], left[1], end[0]}) ::close(descriptor);
 }
 
-TEST(Compare, TakesAwayNothingButItsClaims) {
-  const TemporaryDirectory directory;
-  const std::filesystem::path claims = directory.path() / "claims";
-  std::filesystem::create_directories(claims);
-  std::ofstream(claims / "of the insurance.txt") << "mine";
-  std::ofstream(claims / "gone.alive") << "";
-  (void)run(study_with(use("halving")), directory);
-  EXPECT_TRUE(std::filesystem::exists(claims / "of the insurance.txt"));
-  EXPECT_FALSE(std::filesystem::exists(claims / "gone.alive"));
-}
-
 // Somebody holds the store, and two claims stand there: one of a comparison that has left no sign of life, one of a
 // comparison that has not given any for too long.
 TEST(Compare, TakesOverWhatADeadComparisonHadClaimed) {
