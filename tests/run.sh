@@ -5,6 +5,6 @@ set -eu
 cd "$(dirname "$0")/.."
 
 bench/packages.sh tests
-cmake --preset release "$@"
+cmake --preset release -DNODAL_TESTS=ON "$@"
 cmake --build --preset release
 ctest --preset release

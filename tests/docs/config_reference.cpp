@@ -142,8 +142,9 @@ constexpr std::string_view kElasticRules = R"(Rules between these keys:
   needs a file of springs with a column `group`, `"by-region"` a material with regions; as a table it has either `rule` or `lists`.
 - `masses` other than `none` need an outline, so a body in the plane; `positive` is refused where such masses are proved
   impossible.
-- `loads.stress` and `loads.supports` belong to the basic loads, `loads.cases` to loads of your own, in the plane, which to
-  be fitted need `reference.file`: [your_own_system.md](your_own_system.md).
+- `loads.stress` and `loads.supports` belong to the basic loads, `loads.cases` to loads of your own, in the plane. To
+  be fitted they need the body's displacements, by finite elements, where no force acts at a point, or by `reference.file`:
+  [your_own_system.md](your_own_system.md).
 - `loads.held_out` names loads of the study's own, which are then not fitted, or those of
   [loads that are never fitted](formulation/unseen.md), for which the body needs an outline; each once, and not all loads of
   the study. Nothing can be held out of a study without a reference.

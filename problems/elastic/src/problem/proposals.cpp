@@ -34,11 +34,11 @@ struct HeldOut {
 };
 
 // A study of cases of its own fits no loads at rest beside them.
-HeldOut fittable(const Scene& scene, bool measured) {
+HeldOut fittable(const Scene& scene, bool own_loads) {
   HeldOut held;
   for (std::size_t l = 0; l < scene.held_out.loads.size(); ++l) {
     const LoadCase& load = scene.held_out.loads[l];
-    if (load.beside_set && measured) continue;
+    if (load.beside_set && own_loads) continue;
     held.loads.push_back(l);
     (load.beside_set ? held.resting : held.own).push_back(load.name);
   }
@@ -53,8 +53,8 @@ std::string how_to_fit(const HeldOut& held) {
   return text;
 }
 
-std::optional<std::string> fit_more(const ElasticProblem& problem, const Determination& now, bool measured) {
-  const HeldOut held = fittable(problem.scene(), measured);
+std::optional<std::string> fit_more(const ElasticProblem& problem, const Determination& now, bool own_loads) {
+  const HeldOut held = fittable(problem.scene(), own_loads);
   if (held.loads.empty()) return std::nullopt;
   Scene scene = problem.scene();
   const LoadSet out = std::move(scene.held_out);
@@ -103,7 +103,7 @@ std::vector<std::string> propose(const ElasticProblem& problem) {
   };
   const bool measured = !problem.account().detail_of(kMeasuredStage).empty();
   if (measured) add(measure_more(problem, now));
-  add(fit_more(problem, now, measured));
+  add(fit_more(problem, now, measured || problem.account().data.find("selections")));
   for (const char* rule : {"symmetric", "by-direction", "by-length"}) add(tie(problem, now, rule));
   if (!problem.scene().prior)
     proposals.emplace_back("prior = { weight = 1e-4 }: what the loads leave open stays near its start");

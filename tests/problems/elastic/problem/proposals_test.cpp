@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "../study_files.h"
+#include "triangulation/triangulation.h"
 
 namespace nodal::elastic {
 namespace {
@@ -56,6 +57,18 @@ TEST_F(Proposals, AreOfTheNetWhateverItsBounds) {
 TEST_F(Proposals, NameTheLoadsThatCanBeFitted) {
   EXPECT_PRED2(says, all(*plate("loads = { held_out = [\"stretch-y\", \"shear-x\", \"shear-y\", \"bend-x\"] }\n")),
                "(leave stretch-y, shear-x, shear-y out of 'held_out', loads = { also = [\"bend-x\"] })");
+}
+
+// The bendings that are held out by themselves can't be fitted beside them, whoever says how the body answers.
+TEST_F(Proposals, DontFitLoadsAtRestBesideOwnCases) {
+  if (!triangulation_available()) GTEST_SKIP() << "finite elements need CGAL";
+  const auto problem = plate(
+      "[[problem.loads.cases]]\nname = \"pull\"\nsupports = [{ edge = \"left\" }]\n"
+      "tractions = [{ edge = \"right\", traction = [0.01, 0] }]\n");
+  ASSERT_FALSE(problem->scene().held_out.loads.empty());
+  const std::string text = all(*problem);
+  EXPECT_PRED2(says, text, "prior = { weight = 1e-4 }");
+  EXPECT_FALSE(says(text, "also")) << text;
 }
 
 // "shear" at rest is another load than the plate's own two; a load of the study's own may have a name of one at rest.
