@@ -64,6 +64,39 @@ std::string name_of(const TrialRecord& record) {
   return fmt::format("{} on {}, repeat {}", record.optimizer, record.problem, record.repeat);
 }
 
+// What is said of each, and of all.
+class Found {
+ public:
+  void add(const TrialRecord& stored, const SameTrial& result, double tolerance) {
+    across_ += tolerance > 0.0;
+    if (!result.difference.empty()) {
+      ++differing_;
+      std::cout << fmt::format("DIFFERS  {}: {}\n", name_of(stored), result.difference);
+    } else if (!result.checked) {
+      ++unchecked_;
+      std::cout << fmt::format("NOT CHECKED  {}: the clock ended it before anything could be compared\n",
+                               name_of(stored));
+    } else {
+      ++same_;
+      std::cout << fmt::format("same     {}: {} points until evaluation {}\n", name_of(stored), result.points,
+                               result.evaluations);
+    }
+  }
+
+  [[nodiscard]] std::string summary() const {
+    std::string text = fmt::format("{} of {} trials do the same again", same_, same_ + differing_ + unchecked_);
+    text += across_ == 0 ? ", to the last bit"
+                         : fmt::format("; {} of another build or processor, within {:g}", across_, kAcrossMachines);
+    if (unchecked_ > 0) text += fmt::format("; {} could not be checked", unchecked_);
+    return text + "\n";
+  }
+
+  [[nodiscard]] int exit_code() const { return differing_ > 0 || same_ == 0 ? kExitTrialFailed : 0; }
+
+ private:
+  std::size_t same_ = 0, differing_ = 0, unchecked_ = 0, across_ = 0;
+};
+
 }  // namespace
 
 int verify_command(const VerifyArguments& arguments, const Registry& registry) {
@@ -77,23 +110,15 @@ int verify_command(const VerifyArguments& arguments, const Registry& registry) {
   Store again(scratch.path());
   (void)compare(study, registry, again, options);
 
+  Found found;
   const Value here = provenance();
-  std::size_t differing = 0, across = 0;
   for (const std::string& key : *options.keys) {
     const TrialRecord& stored = *store.find(key);
     const double tolerance = tolerance_of(stored, here);
-    const SameTrial result = same_trial(stored, *again.find(key), tolerance);
-    across += tolerance > 0.0;
-    differing += !result.difference.empty();
-    std::cout << (result.difference.empty() ? fmt::format("same     {}: {} points until evaluation {}\n",
-                                                          name_of(stored), result.points, result.evaluations)
-                                            : fmt::format("DIFFERS  {}: {}\n", name_of(stored), result.difference));
+    found.add(stored, same_trial(stored, *again.find(key), tolerance, study.budget.seconds.has_value()), tolerance);
   }
-  std::cout << fmt::format(
-      "{} of {} trials do the same again{}\n", options.keys->size() - differing, options.keys->size(),
-      across == 0 ? ", to the last bit"
-                  : fmt::format("; {} of another build or processor, within {:g}", across, kAcrossMachines));
-  return differing > 0 ? kExitTrialFailed : 0;
+  std::cout << found.summary();
+  return found.exit_code();
 }
 
 }  // namespace nodal

@@ -116,7 +116,7 @@ class Run {
     }
     record_.reason = meter.stop() == Stop::none          ? outcome.reason
                      : meter.stop() == Stop::target      ? "target reached"
-                     : meter.stop() == Stop::evaluations ? "evaluations spent"
+                     : meter.stop() == Stop::evaluations ? kEvaluationsSpent
                                                          : "seconds spent";
     record_.limited = outcome.limited && record_.end == End::finished && !outcome.failed;
     if (outcome.failed) {

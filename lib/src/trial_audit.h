@@ -13,6 +13,9 @@
 
 namespace nodal {
 
+/// The reason of a trial that its budget of evaluations ended: the clock had no part in that.
+inline constexpr const char* kEvaluationsSpent = "evaluations spent";
+
 class TrialAudit {
  public:
   TrialAudit(const Problem& problem, Evaluator& evaluator, const Meter& meter, TrialRecord& record)

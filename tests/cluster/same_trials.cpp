@@ -5,8 +5,7 @@
 #include <map>
 
 #include <nodal/store.h>
-
-#include "../support/untimed.h"
+#include <nodal/verify.h>
 
 namespace {
 

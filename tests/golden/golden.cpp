@@ -9,9 +9,9 @@
 
 #include <fmt/format.h>
 #include <nodal/provenance.h>
+#include <nodal/verify.h>
 
 #include "../support/components.h"
-#include "../support/untimed.h"
 
 namespace nodal::golden {
 

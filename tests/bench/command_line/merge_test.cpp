@@ -44,6 +44,22 @@ TEST(Merge, RefusesADirectoryThatHoldsSomethingAndProblemsThatDiffer) {
   EXPECT_FALSE(std::filesystem::exists(folder.path() / "c"));
 }
 
+// Of the store 'a', the first trial of annealing.
+void spoil_one(const Folder& folder, void (*forge)(TrialRecord&)) {
+  bool first = true;
+  for (const auto& entry : std::filesystem::directory_iterator(folder.path() / "a" / "trials")) {
+    std::istringstream lines(read_file(entry.path()));
+    std::string spoiled;
+    for (std::string line; std::getline(lines, line);) {
+      TrialRecord record = parse_record(line, "line");
+      if (record.optimizer == "annealing" && std::exchange(first, false)) forge(record);
+      spoiled += to_json_line(record) + "\n";
+    }
+    folder.write("a/trials/" + entry.path().filename().string(), spoiled);
+  }
+  EXPECT_FALSE(first);
+}
+
 TEST(Verify, RunsTrialsAgainAndComparesThem) {
   const Folder folder;
   folder.write("quick.toml", kQuickStudy);
@@ -52,23 +68,21 @@ TEST(Verify, RunsTrialsAgainAndComparesThem) {
   EXPECT_EQ(same.exit, 0) << same.out << same.err;
   EXPECT_TRUE(contains(same.out, "4 of 4 trials do the same again, to the last bit")) << same.out;
   EXPECT_TRUE(contains(run(folder, {"verify", "a", "--trials", "1"}).out, "1 of 1 trials")) << same.out;
-  // The last digits of one trial.
-  for (const auto& entry : std::filesystem::directory_iterator(folder.path() / "a" / "trials")) {
-    std::istringstream lines(read_file(entry.path()));
-    std::string spoiled;
-    bool first = true;
-    for (std::string line; std::getline(lines, line);) {
-      TrialRecord record = parse_record(line, "line");
-      if (record.optimizer == "annealing" && std::exchange(first, false)) record.trace.at(1).quality *= 1.0 + 1e-14;
-      spoiled += to_json_line(record) + "\n";
-    }
-    EXPECT_FALSE(first);
-    folder.write("a/trials/" + entry.path().filename().string(), spoiled);
+  // The last digits of one trial, of its way, its best and what it cost.
+  using Forge = void (*)(TrialRecord&);
+  const Forge forgeries[] = {[](TrialRecord& r) { r.trace.at(1).quality *= 1.0 + 1e-14; },
+                             [](TrialRecord& r) { *r.best->summary.cost *= 1.0 - 1e-14; },
+                             [](TrialRecord& r) { r.work.flops *= 1.0 - 1e-14; },
+                             [](TrialRecord& r) { r.counts.evaluations = 0; }};
+  for (const Forge forge : forgeries) {
+    const Folder spoiled;
+    std::filesystem::copy(folder.path(), spoiled.path(), std::filesystem::copy_options::recursive);
+    spoil_one(spoiled, forge);
+    const Output differs = run(spoiled, {"verify", "a"});
+    EXPECT_EQ(differs.exit, 1) << differs.out << differs.err;
+    EXPECT_TRUE(contains(differs.out, "DIFFERS  annealing on elastic, repeat")) << differs.out;
+    EXPECT_TRUE(contains(differs.out, "3 of 4 trials do the same again")) << differs.out;
   }
-  const Output differs = run(folder, {"verify", "a"});
-  EXPECT_EQ(differs.exit, 1) << differs.out << differs.err;
-  EXPECT_TRUE(contains(differs.out, "DIFFERS  annealing on elastic, repeat")) << differs.out;
-  EXPECT_TRUE(contains(differs.out, "3 of 4 trials do the same again")) << differs.out;
 }
 
 // What the command line set is drawn again as it ran, not as the file has it.

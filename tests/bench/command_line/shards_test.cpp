@@ -7,8 +7,8 @@
 #include <memory>
 
 #include <nodal/store.h>
+#include <nodal/verify.h>
 
-#include "../../support/untimed.h"
 #include "program.h"
 #include "studies.h"
 

@@ -7,8 +7,8 @@
 #include <map>
 
 #include <nodal/compare.h>
+#include <nodal/verify.h>
 
-#include "../../support/untimed.h"
 #include "plate_study.h"
 
 namespace nodal::plate {
