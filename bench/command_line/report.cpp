@@ -13,10 +13,7 @@ namespace nodal {
 int report_command(const ReportArguments& arguments, const Registry& registry) {
   if (!arguments.latex.empty()) refuse_no_tables("--latex", arguments.latex);
   std::vector<Store> stores;
-  for (const std::string& directory : arguments.directories) {
-    stores.push_back(Store::open_existing(directory));
-    for (const std::string& warning : stores.back().warnings()) say("warning", warning);
-  }
+  for (const std::string& directory : arguments.directories) stores.push_back(Store::open_existing(directory));
   if (arguments.out.empty() && stores.size() > 1)
     throw InputError("several stores make one report of their own; say where it goes with --out DIR");
   if (arguments.out.empty()) {

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <nodal/file.h>
+#include <nodal/merge.h>
 
 namespace nodal {
 
@@ -63,18 +64,6 @@ void refuse_strange_files(const Value& study, const fs::path& folder, const fs::
   collect_files(study, names);
   for (const std::string& name : names) refuse_file(name, folder);
   if (!names.empty()) refuse_another_study(path, text);
-}
-
-// What it was joined with, as the store has it: none of its includes is read.
-StudyOverrides stored_overrides(const Value& study) {
-  StudyOverrides overrides;
-  overrides.included.emplace();
-  if (const Value* included = study.find("included"))
-    for (const Value& file : included->list())
-      overrides.included->push_back({file.text_or("file", ""), file.text_or("text", "")});
-  if (const Value* settings = study.find("settings"))
-    for (const Value& setting : settings->list()) overrides.set.push_back(setting.text());
-  return overrides;
 }
 
 }  // namespace

@@ -40,13 +40,18 @@ class Scratch {
   fs::path path_;
 };
 
-// Stored trials of the study, some of them, drawn by the seed.
-std::vector<std::string> sample(const Study& study, const Store& store, const VerifyArguments& arguments) {
+// Those of the study that are stored.
+std::vector<std::string> stored_keys(const Study& study, const Store& store) {
   std::vector<std::string> keys;
   for (const Trial& trial : all_trials(study))
     if (std::string key = trial_key(study, trial); store.find(key)) keys.push_back(std::move(key));
   if (keys.empty())
     throw InputError(fmt::format("'{}' holds no trial that its study asks for", store.directory().string()));
+  return keys;
+}
+
+// Some of them, drawn by the seed.
+std::vector<std::string> sample(std::vector<std::string> keys, const VerifyArguments& arguments) {
   RandomStream random(arguments.seed);
   for (std::size_t i = 0; i + 1 < keys.size(); ++i) std::swap(keys[i], keys[i + random.index(keys.size() - i)]);
   keys.resize(std::min(keys.size(), arguments.trials));
@@ -105,7 +110,9 @@ int verify_command(const VerifyArguments& arguments, const Registry& registry) {
   if (!entry) throw InputError(fmt::format("the manifest of '{}' has no study", arguments.directory));
   const Study study = read_stored_study(*entry, registry, Cost::any);
   CompareOptions options;
-  options.keys = sample(study, store, arguments);
+  std::vector<std::string> keys = stored_keys(study, store);
+  const std::size_t others = store.records().size() - keys.size();
+  options.keys = sample(std::move(keys), arguments);
   const Scratch scratch;
   Store again(scratch.path());
   (void)compare(study, registry, again, options);
@@ -118,6 +125,9 @@ int verify_command(const VerifyArguments& arguments, const Registry& registry) {
     found.add(stored, same_trial(stored, *again.find(key), tolerance, study.budget.seconds.has_value()), tolerance);
   }
   std::cout << found.summary();
+  if (others > 0)
+    std::cout << fmt::format("{} other stored trials can't be checked: the study of '{}' doesn't ask for them\n",
+                             others, arguments.directory);
   return found.exit_code();
 }
 

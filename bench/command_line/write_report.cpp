@@ -64,6 +64,8 @@ void remove_former(const fs::path& folder, const std::vector<report::FigureFile>
 
 void write_report(std::span<const Store> stores, const Registry& registry, Store& target, const ReportWishes& wishes) {
   report::ReportData data = report::collect(stores, registry);
+  if (!wishes.study)  // a comparison has said what it found in its store
+    for (const std::string& warning : data.warnings) say("warning", warning);
   if (wishes.study)
     add_or_say(target, data, [&] { add_pictures(*wishes.study, data); });
   else

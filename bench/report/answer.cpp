@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <nodal/merge.h>
 #include <nodal/show/number_text.h>
 #include <nodal/study.h>
 
@@ -24,21 +25,25 @@ const Value::List& list_in(const Value& table, std::string_view key) {
   return value && value->is_list() ? value->list() : none;
 }
 
-// What the study of a manifest comes to, as far as its tables go: nothing is built, no file is read.
-Value tables_of(const Value& manifest) {
-  const Value* study = manifest.is_table() ? manifest.find("study") : nullptr;
-  if (!study || !study->is_table()) return {};
-  StudyOverrides overrides;
-  overrides.included.emplace();
-  for (const Value& file : list_in(*study, "included"))
-    overrides.included->push_back({file.text_or("file", ""), file.text_or("text", "")});
-  for (const Value& setting : list_in(*study, "settings"))
-    if (setting.is_text()) overrides.set.push_back(setting.text());
+// The budget of a manifest's studies, as far as their tables go: nothing is built, no file is read. None where they
+// have several.
+Value budget_of(const Value& manifest) {
+  Value::List studies = list_in(manifest, "other_studies");
+  if (const Value* study = manifest.is_table() ? manifest.find("study") : nullptr; study && study->is_table())
+    studies.insert(studies.begin(), *study);
+  std::optional<Value> budget;
   try {
-    return study_tables(study->text_or("text", ""), study->text_or("file", ""), overrides);
+    for (const Value& study : studies) {
+      const Value tables = study_tables(study.text_or("text", ""), study.text_or("file", ""), stored_overrides(study));
+      const Value* found = tables.find("budget");
+      const Value here = found ? *found : Value();
+      if (budget && !(*budget == here)) return {};
+      budget = here;
+    }
   } catch (const InputError&) {
-    return {};  // of several texts, or of a store that somebody wrote by hand: the budget isn't known
+    return {};  // of a store that somebody wrote by hand: the budget isn't known
   }
+  return budget.value_or(Value());
 }
 
 std::optional<double> number_in(const Value* table, std::string_view key) {
@@ -152,10 +157,9 @@ std::string budget_text(const Scope& scope) {
 
 Scope scope_of(const Value& manifest, std::span<const TrialRecord> records) {
   Scope scope;
-  const Value tables = tables_of(manifest);
-  const Value* budget = tables.is_table() ? tables.find("budget") : nullptr;
-  scope.seconds = number_in(budget, "seconds");
-  scope.evaluations = number_in(budget, "evaluations");
+  const Value budget = budget_of(manifest);
+  scope.seconds = number_in(&budget, "seconds");
+  scope.evaluations = number_in(&budget, "evaluations");
   for (const TrialRecord& record : records)
     if (record.conditions &&
         std::ranges::find(scope.processors, record.conditions->processor) == scope.processors.end())

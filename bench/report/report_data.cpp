@@ -42,6 +42,9 @@ struct Collection {
       study_name = study->text_or("name", "");
       study_text = study->text_or("text", "");
     }
+    for (const Value& other : list_of(manifest, "other_studies"))
+      if (const std::string text = other.text_or("text", ""); text != study_text)
+        study_text += fmt::format("\n# ── another study: {} ──\n{}", other.text_or("file", ""), text);
     for (const Value& problem : list_of(manifest, "problems")) problems.push_back(named(problem));
     for (const Value& optimizer : list_of(manifest, "optimizers")) {
       if (const Value* options = optimizer.find("options")) requests.emplace(optimizer.text_or("label", ""), *options);
@@ -191,7 +194,8 @@ RunAgain run_again(std::span<const Store> stores) {
     const Value* study = store.manifest().find("study");
     if (!study) continue;
     if (!first) first = study;
-    if (!(list_of(*study, "settings") == list_of(*first, "settings")) ||
+    if (store.manifest().find("other_studies") || !(list_of(*study, "settings") == list_of(*first, "settings")) ||
+        !(list_of(*study, "included") == list_of(*first, "included")) ||
         study->text_or("text", "") != first->text_or("text", ""))
       return {};
   }

@@ -3,15 +3,15 @@
 
 #include <algorithm>
 #include <set>
-#include <unordered_set>
+#include <unordered_map>
 
 #include <fmt/format.h>
 
 #include <nodal/file.h>
-#include <nodal/provenance.h>
 
 #include "file_descriptor.h"
 #include "manifest.h"
+#include "merged_studies.h"
 #include "trial_files.h"
 
 namespace nodal {
@@ -32,8 +32,8 @@ Value* with_label(Value::List& entries, const std::string& label) {
   return found == entries.end() ? nullptr : &*found;
 }
 
-Value options_of(const Value& problem) {
-  const Value* options = problem.find("options");
+Value options_of(const Value& entry) {
+  const Value* options = entry.find("options");
   return options ? *options : Value();
 }
 
@@ -42,7 +42,7 @@ class Merging {
   void add(const Store& store) {
     const Value& manifest = store.manifest();
     directory_ = store.directory().string();
-    add_study(manifest);
+    studies_.add(manifest, directory_, merged_.warnings);
     for (const std::string& warning : store.warnings()) merged_.warnings.push_back(warning);
     for (const Value& problem : list_at(manifest, "problems")) add_problem(problem);
     for (const Value& optimizer : list_at(manifest, "optimizers")) add_optimizer(optimizer);
@@ -54,30 +54,17 @@ class Merging {
   MergedStores finish() {
     Value& manifest = merged_.manifest;
     manifest.set("schema", kManifestSchema);
-    manifest.set("study", std::move(study_));
+    studies_.write_to(manifest);
     manifest.set("problems", Value(std::move(problems_)));
     manifest.set("optimizers", Value(std::move(optimizers_)));
     manifest.set("left_out", Value(std::move(left_out_)));
     manifest.set("keys", Value(std::move(keys_)));
     manifest.set("runs", Value(std::move(runs_)));
+    split_records();
     return std::move(merged_);
   }
 
  private:
-  void add_study(const Value& manifest) {
-    const Value* study = manifest.find("study");
-    if (!study) return;
-    const std::string text = study->text_or("text", "");
-    if (study_.text_or("text", "").empty()) {
-      study_ = *study;
-      first_text_ = text;
-    } else if (text != first_text_) {
-      merged_.warnings.push_back(
-          fmt::format("'{}' was made from another text of the study: budgets and options may differ", directory_));
-      study_.set("text", fmt::format("{}\n# ── {} ──\n{}", study_.text_or("text", ""), directory_, text));
-    }
-  }
-
   void add_problem(const Value& problem) {
     const std::string label = problem.text_or("label", "");
     Value* same = with_label(problems_, label);
@@ -120,40 +107,77 @@ class Merging {
   }
 
   void add_optimizer(const Value& optimizer) {
-    const std::string label = optimizer.text_or("label", ""), use = optimizer.text_or("use", "");
+    const std::string label = optimizer.text_or("label", "");
     const Value* same = with_label(optimizers_, label);
-    if (!same)
+    if (!same) {
       optimizers_.push_back(optimizer);
-    else if (same->text_or("use", "") != use)
-      merged_.warnings.push_back(fmt::format("the label '{}' means '{}' in one store and '{}' in another", label,
-                                             same->text_or("use", ""), use));
+      optimizer_homes_.push_back(directory_);
+    } else if (const std::string other = setting_difference(*same, optimizer); !other.empty()) {
+      throw InputError(fmt::format(
+          "'{}' and '{}' mean different optimizers by the label '{}' ({}); give the optimizers of one of the "
+          "studies another label",
+          optimizer_homes_[static_cast<std::size_t>(same - optimizers_.data())], directory_, label, other));
+    }
+  }
+
+  // Manifests of older builds don't say the options.
+  static std::string setting_difference(const Value& first, const Value& other) {
+    const auto differ = [](const std::string& name, const Value* a, const Value* b) {
+      const auto text = [](const Value* value) { return value ? to_json(*value) : "not set"; };
+      return fmt::format("{}: {} and {}", name, text(a), text(b));
+    };
+    for (const char* key : {"use", "multi_start"}) {
+      const Value *ours = first.find(key), *theirs = other.find(key);
+      if (ours && theirs && !(*ours == *theirs)) return differ(key, ours, theirs);
+    }
+    if (!first.find("options") || !other.find("options")) return {};
+    const Value ours = options_of(first), theirs = options_of(other);
+    for (const auto& [key, value] : ours.table())
+      if (const Value* there = theirs.find(key); !there || !(*there == value)) return differ(key, &value, there);
+    for (const auto& [key, value] : theirs.table())
+      if (!ours.find(key)) return differ(key, nullptr, &value);
+    return {};
   }
 
   // A store without keys has lost its manifest: everything counts.
   void add_records(const Store& store) {
-    std::unordered_set<std::string> wanted;
-    for (const Value& key : list_at(store.manifest(), "keys")) {
-      wanted.insert(key.text());
+    const Value::List& wanted = list_at(store.manifest(), "keys");
+    for (const Value& key : wanted)
       if (listed_.insert(key.text()).second) keys_.push_back(key);
-    }
-    std::size_t others = 0;
     for (const TrialRecord& record : store.records()) {
-      const bool asked_for = wanted.empty() || wanted.contains(record.key);
-      others += !asked_for;
-      if (seen_.insert(record.key).second) (asked_for ? merged_.records : merged_.not_asked_for).push_back(record);
+      if (wanted.empty()) listed_.insert(record.key);
+      const auto [entry, is_new] = places_.emplace(record.key, records_.size());
+      if (is_new)
+        records_.push_back(record);
+      else if (record.attempt > records_[entry->second].attempt)
+        records_[entry->second] = record;
     }
-    if (others > 0)
-      merged_.warnings.push_back(
-          fmt::format("{} stored trials in '{}' are not shown: the study, as it was last run, doesn't ask for them",
-                      others, directory_));
+    stored_.emplace_back(directory_, &store.records());
+  }
+
+  // When all have said what they ask for.
+  void split_records() {
+    for (const auto& [directory, records] : stored_) {
+      const auto others =
+          std::ranges::count_if(*records, [this](const TrialRecord& record) { return !listed_.contains(record.key); });
+      if (others > 0)
+        merged_.warnings.push_back(
+            fmt::format("{} stored trials in '{}' are not shown: the study, as it was last run, doesn't ask for them",
+                        others, directory));
+    }
+    for (TrialRecord& record : records_)
+      (listed_.contains(record.key) ? merged_.records : merged_.not_asked_for).push_back(std::move(record));
   }
 
   MergedStores merged_;
-  std::string directory_, first_text_;
-  Value study_;
+  std::string directory_;
+  MergedStudies studies_;
   Value::List problems_, optimizers_, left_out_, keys_, runs_;
-  std::vector<std::string> homes_;  // of the problems: who named them first
-  std::set<std::string> listed_, seen_;
+  std::vector<std::string> homes_, optimizer_homes_;  // of problems and optimizers: who named them first
+  std::set<std::string> listed_;                      // keys that a store asks for
+  std::vector<TrialRecord> records_;
+  std::unordered_map<std::string, std::size_t> places_;  // in records_, by key
+  std::vector<std::pair<std::string, const std::vector<TrialRecord>*>> stored_;
 };
 
 void copy_cache(const fs::path& from, const fs::path& to) {

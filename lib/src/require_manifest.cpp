@@ -67,6 +67,12 @@ void check_problem(const Checked& problem) {
   });
 }
 
+void check_study(const Checked& study) {
+  study.texts({"name", "file", "directory", "text"});
+  study.each_table("included", [](const Checked& file) { file.texts({"file", "text"}); });
+  study.each("settings", [](const Checked& setting) { setting.require(&Value::is_text, "a text"); });
+}
+
 void check_schema(const Value& manifest, const std::string& path) {
   const Value* schema = manifest.is_table() ? manifest.find("schema") : nullptr;
   if (!schema || !schema->is_integer())
@@ -86,11 +92,8 @@ void check_schema(const Value& manifest, const std::string& path) {
 void require_manifest(const Value& manifest, const std::string& path) {
   check_schema(manifest, path);
   const Checked top(manifest, "", path);
-  top.with("study", [](const Checked& study) {
-    study.require(&Value::is_table, "a table").texts({"name", "file", "directory", "text"});
-    study.each_table("included", [](const Checked& file) { file.texts({"file", "text"}); });
-    study.each("settings", [](const Checked& setting) { setting.require(&Value::is_text, "a text"); });
-  });
+  top.with("study", [](const Checked& study) { check_study(study.require(&Value::is_table, "a table")); });
+  top.each_table("other_studies", check_study);
   top.each_table("problems", check_problem);
   top.each_table("optimizers", [](const Checked& optimizer) {
     optimizer.texts({"label", "use"});

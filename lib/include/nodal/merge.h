@@ -3,11 +3,12 @@
 
 /// Stores put together: what a report of several is made from, and a store of its own.
 ///
-/// Problems and optimizers stand in the order in which the manifests name them. Of two records with one key that of the
-/// store named first counts.
+/// Problems and optimizers stand in the order in which the manifests name them. Of records with one key that of the
+/// latest attempt counts, of equal attempts that of the store named first.
 ///
 /// Errors   InputError when stores mean different problems by one label, by what the study says or by the files that it
-///          names: their figures don't compare.
+///          names, or different optimizers (`use`, multi-start or options), or raced one problem with other budgets or
+///          from other starts: their figures don't compare.
 
 #include <filesystem>
 #include <span>
@@ -19,13 +20,16 @@
 namespace nodal {
 
 struct MergedStores {
-  /// As Store::manifest has it: keys and runs of all; of different texts of the study all, one after the other, the
-  /// rest of `study` from the first.
+  /// As Store::manifest has it: keys and runs of all, `study` of the first; the others that differ from it in text,
+  /// included files or settings stand in `other_studies`, each once.
   Value manifest = {};
-  std::vector<TrialRecord> records = {};        ///< that the studies ask for, each key once
+  std::vector<TrialRecord> records = {};        ///< that one of the studies asks for, each key once
   std::vector<TrialRecord> not_asked_for = {};  ///< kept, but of other budgets or seeds
   std::vector<std::string> warnings = {};       ///< the stores' own, and what differs between them
 };
+
+/// What a study of a manifest was read with: its settings, and the texts that it includes, so that no file is read.
+[[nodiscard]] StudyOverrides stored_overrides(const Value& study);
 
 [[nodiscard]] MergedStores merge_stores(std::span<const Store> stores);
 

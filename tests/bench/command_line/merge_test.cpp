@@ -44,6 +44,98 @@ TEST(Merge, RefusesADirectoryThatHoldsSomethingAndProblemsThatDiffer) {
   EXPECT_FALSE(std::filesystem::exists(folder.path() / "c"));
 }
 
+Output compare_into(const Folder& folder, const char* store, std::vector<std::string> more) {
+  std::vector<std::string> arguments = {"compare", "quick.toml", "--out", store};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  const Output output = run(folder, arguments);
+  EXPECT_EQ(output.exit, 0) << output.err;
+  return output;
+}
+
+// In either order; nothing is written.
+void expect_refused(const Folder& folder, const std::string& message) {
+  for (const auto& [first, second] : {std::pair("a", "b"), std::pair("b", "a")})
+    for (const char* command : {"merge", "report"}) {
+      const Output refused = run(folder, {command, first, second, "--out", "c"});
+      EXPECT_EQ(refused.exit, 2);
+      EXPECT_TRUE(contains(refused.err, message)) << refused.err;
+      EXPECT_FALSE(std::filesystem::exists(folder.path() / "c" / "manifest.json"));
+    }
+}
+
+TEST(Merge, RefusesOtherBudgetsStartsAndOptimizers) {
+  const Folder folder;
+  folder.write("quick.toml", kQuickStudy);
+  compare_into(folder, "a", {"--evaluations", "100"});
+  compare_into(folder, "b", {"--evaluations", "200"});
+  expect_refused(folder, "raced problem 'elastic' under other terms (");
+  std::filesystem::remove_all(folder.path() / "b");
+  compare_into(folder, "b", {"--evaluations", "100", "--set", "study.starts=sampled"});
+  expect_refused(folder, "starts = \"sampled\"");
+  std::filesystem::remove_all(folder.path() / "b");
+  compare_into(folder, "b", {"--evaluations", "100", "--set", "optimizer[annealing].options.step=0.01"});
+  expect_refused(folder, "mean different optimizers by the label 'annealing' (step: 0.");
+}
+
+TEST(Merge, TellsOfOtherSeedsAndVerifiesWhatItsStudyAsksFor) {
+  const Folder folder;
+  folder.write("quick.toml", kQuickStudy);
+  compare_into(folder, "a", {"--evaluations", "100"});
+  compare_into(folder, "b", {"--evaluations", "100", "--seed", "77"});
+  const Output merged = run(folder, {"merge", "a", "b", "--out", "c"});
+  EXPECT_EQ(merged.exit, 0) << merged.err;
+  EXPECT_TRUE(contains(merged.err, "'b' is of another study than 'a': set by its command line: ")) << merged.err;
+  EXPECT_TRUE(contains(merged.err, "study.seed=77")) << merged.err;
+  EXPECT_TRUE(contains(merged.err, "its seed is another")) << merged.err;
+  const Output verified = run(folder, {"verify", "c"});
+  EXPECT_EQ(verified.exit, 0) << verified.err;
+  EXPECT_TRUE(contains(verified.out, "4 of 4 trials")) << verified.out;
+  EXPECT_TRUE(contains(verified.out, "4 other stored trials can't be checked")) << verified.out;
+  const Output reported = run(folder, {"report", "a", "b", "--out", "d"});
+  EXPECT_TRUE(contains(reported.err, "its seed is another")) << reported.err;
+}
+
+// Each text stands by itself: together they are no TOML.
+TEST(Merge, KeepsTextsApart) {
+  const Folder folder;
+  folder.write("quick.toml", kQuickStudy);
+  compare_into(folder, "a", {"--evaluations", "100", "--only", "annealing"});
+  folder.write("quick.toml", "# Once more.\n" + std::string(kQuickStudy));
+  compare_into(folder, "b", {"--evaluations", "100", "--only", "random-search"});
+  const Output merged = run(folder, {"merge", "a", "b", "--out", "c"});
+  EXPECT_TRUE(contains(merged.err, "'b' is of another study than 'a': another text")) << merged.err;
+  const Store store = Store::open_existing(folder.path() / "c");
+  EXPECT_EQ(store.manifest().at("study").at("text").text(), kQuickStudy);
+  EXPECT_EQ(store.manifest().at("other_studies").list().size(), 1u);
+  const Output verified = run(folder, {"verify", "c"});
+  EXPECT_EQ(verified.exit, 0) << verified.err;
+  EXPECT_TRUE(contains(verified.out, "4 of 4 trials")) << verified.out;
+  EXPECT_TRUE(contains(run(folder, {"report", "c"}).out, "evaluations"));
+  EXPECT_TRUE(contains(read_file(folder.path() / "c" / "report.html"), "Once more."));
+  // What is merged can be merged.
+  EXPECT_EQ(run(folder, {"merge", "c", "a", "--out", "e"}).exit, 0);
+  EXPECT_EQ(Store::open_existing(folder.path() / "e").manifest().at("other_studies").list().size(), 1u);
+}
+
+TEST(Merge, ShowsWhatAnyStoreAsksForByItsLatestAttempt) {
+  const Folder folder;
+  folder.write("quick.toml", kQuickStudy);
+  compare_into(folder, "a", {"--evaluations", "100"});
+  std::filesystem::copy(folder.path() / "a", folder.path() / "b", std::filesystem::copy_options::recursive);
+  compare_into(folder, "b", {"--evaluations", "100", "--fresh"});
+  compare_into(folder, "a", {"--evaluations", "100", "--repeats", "1"});
+  for (const auto& [first, second] : {std::pair("a", "b"), std::pair("b", "a")}) {
+    const Output merged = run(folder, {"merge", first, second, "--out", std::string("m") + first});
+    EXPECT_FALSE(contains(merged.err, "not shown")) << merged.err;
+    const Store store = Store::open_existing(folder.path() / (std::string("m") + first));
+    EXPECT_EQ(store.records().size(), 4u);
+    for (const TrialRecord& record : store.records()) EXPECT_EQ(record.attempt, 2);
+    EXPECT_EQ(store.manifest().at("keys").list().size(), 4u);
+  }
+  // What nobody asks for is said on the terminal, too.
+  EXPECT_TRUE(contains(run(folder, {"report", "a"}).err, "2 stored trials in 'a' are not shown"));
+}
+
 // Of the store 'a', the first trial of annealing.
 void spoil_one(const Folder& folder, void (*forge)(TrialRecord&)) {
   bool first = true;
