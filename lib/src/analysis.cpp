@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 #include <stdexcept>
 #include <tuple>
@@ -15,6 +16,7 @@
 #include "axes.h"
 #include "known_quality.h"
 #include "never.h"
+#include "trial_starts.h"
 
 namespace nodal {
 
@@ -103,33 +105,55 @@ Arrival arrival_of(const TrialRecord& record, const ProblemReference& reference,
   return {false, first_point(record, best + gap * (*record.start.quality - best))};
 }
 
-// Trials with the same key are one run; `alone` sets apart those that count on their own.
-using RunKey = std::tuple<std::optional<double>, bool, std::int64_t, double, std::size_t>;
+// What trials of one run agree on: whether they got there and, of random methods, at which evaluation with what
+// quality.
+using Outcome = std::tuple<bool, std::int64_t, double>;
 
-RunKey run_key(const TrialRecord& record, const Arrival& arrival, bool deterministic, std::size_t alone) {
-  const bool reached = arrival.reached();
-  if (deterministic || arrival.at_start) return {record.start.quality, reached, 0, 0.0, 0};
-  if (!reached) return {record.start.quality, false, 0, 0.0, alone};
-  return {record.start.quality, true, arrival.point->evaluation, arrival.point->quality, 0};
+Outcome outcome_of(const Arrival& arrival, bool deterministic) {
+  if (deterministic || !arrival.point) return {arrival.reached(), 0, 0.0};
+  return {true, arrival.point->evaluation, arrival.point->quality};
+}
+
+// Trials of one start.
+struct FromStart {
+  std::set<Outcome> outcomes;
+  std::size_t trials = 0, reached = 0;
+
+  void add(const Arrival& arrival, bool deterministic) {
+    outcomes.insert(outcome_of(arrival, deterministic));
+    ++trials;
+    reached += arrival.reached();
+  }
+  // Random ones that never got there drew their own numbers to the end.
+  [[nodiscard]] bool one_run(bool deterministic) const {
+    return outcomes.size() == 1 && (deterministic || reached == trials);
+  }
+};
+
+void count_runs(const std::map<std::optional<double>, FromStart>& by_start, bool deterministic, TargetRow& row) {
+  for (const auto& [start, from] : by_start) {
+    const bool one = start && from.one_run(deterministic);
+    row.runs += one ? 1 : from.trials;
+    row.reached += one ? std::min<std::size_t>(from.reached, 1) : from.reached;
+  }
 }
 
 TargetRow target_row(std::span<const TrialRecord* const> trials, const ProblemReference& reference, double gap,
-                     bool deterministic) {
+                     const TrialStarts& starts, bool deterministic) {
   TargetRow row;
   row.gap = gap;
-  std::set<RunKey> runs;
+  std::map<std::optional<double>, FromStart> by_start;
   std::array<std::vector<std::optional<double>>, kAxes.size()> when;
   const std::vector<const TrialRecord*> timed = timed_trials(trials);
-  for (std::size_t i = 0; i < trials.size(); ++i) {
-    const TrialRecord& trial = *trials[i];
-    const Arrival arrival = arrival_of(trial, reference, gap);
+  for (const TrialRecord* trial : trials) {
+    const Arrival arrival = arrival_of(*trial, reference, gap);
     for (std::size_t a = 0; a < kAxes.size(); ++a)
-      if (kAxes[a] != Axis::seconds || std::ranges::find(timed, &trial) != timed.end())
-        when[a].push_back(arrival.where(trial, kAxes[a]));
-    if (runs.insert(run_key(trial, arrival, deterministic, i)).second) row.reached += arrival.reached();
+      if (kAxes[a] != Axis::seconds || std::ranges::find(timed, trial) != timed.end())
+        when[a].push_back(arrival.where(*trial, kAxes[a]));
+    by_start[starts.of(*trial)].add(arrival, deterministic);
   }
   for (std::size_t a = 0; a < kAxes.size(); ++a) row.median[a] = median_or_never(when[a]);
-  row.runs = runs.size();
+  count_runs(by_start, deterministic, row);
   if (row.runs > 0) row.success_rate = static_cast<double>(row.reached) / static_cast<double>(row.runs);
   return row;
 }
@@ -174,7 +198,7 @@ std::map<std::string, Quartiles> findings_of(std::span<const TrialRecord* const>
 }
 
 OptimizerRow make_row(const RowRequest& request, std::span<const TrialRecord* const> trials,
-                      const ProblemReference& reference) {
+                      const ProblemReference& reference, const TrialStarts& starts) {
   OptimizerRow row;
   row.label = request.label;
   row.use = request.use;
@@ -213,7 +237,7 @@ OptimizerRow make_row(const RowRequest& request, std::span<const TrialRecord* co
   row.seconds = quartiles_of(timed, count([](const TrialRecord& t) { return t.seconds.total; }));
   row.work = quartiles_of(trials, count([](const TrialRecord& t) { return end_position(t, Axis::work); }));
   for (std::size_t i = 0; i < kTargetGaps.size(); ++i)
-    row.targets[i] = target_row(trials, reference, kTargetGaps[i], request.deterministic);
+    row.targets[i] = target_row(trials, reference, kTargetGaps[i], starts, request.deterministic);
   return row;
 }
 
@@ -346,11 +370,12 @@ ProblemTable make_table(const std::string& problem_label, const std::optional<Kn
       break;
     }
   table.unseen = summarize_unseen(trials);
+  const TrialStarts starts(trials);
   for (const RowRequest& request : optimizers) {
     std::vector<const TrialRecord*> own;
     std::ranges::copy_if(trials, std::back_inserter(own),
                          [&](const TrialRecord* t) { return t->optimizer == request.label; });
-    table.rows.push_back(make_row(request, own, table.reference));
+    table.rows.push_back(make_row(request, own, table.reference, starts));
   }
   set_multiples(table.rows);
   return table;

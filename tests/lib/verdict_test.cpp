@@ -174,6 +174,29 @@ TEST(Verdict, AFailedTrialHasNothing) {
   EXPECT_EQ(standing(verdict, "frail").quality.lower, std::nullopt);  // halfway between 2.2 and never
 }
 
+// All that lived went one way, as a multi-start method's first fit does: two crashes of fifteen are two of fifteen, not
+// two of three.
+TEST(Verdict, AFewFailuresDontOutweighWhatIsTheSame) {
+  Race race;
+  race.add_all("frail", std::vector<double>(15, 2.0));
+  race.add_all("sure", kHigh);
+  for (const std::size_t i : {3u, 9u}) {
+    race.records[i].end = End::crashed;
+    race.records[i].start = {};
+    race.records[i].trace.clear();
+    race.records[i].best.reset();
+  }
+  Verdict verdict = judge(race.contest(), kWhole);
+  EXPECT_EQ(verdict.standings.at(0).optimizer, "frail");
+  EXPECT_EQ(verdict.standings.at(0).observations, 15u);
+  EXPECT_DOUBLE_EQ(*verdict.standings.at(0).quality.median, 2.0);
+  EXPECT_DOUBLE_EQ(*verdict.standings.at(0).median_interval.upper, 2.0);  // the 12th of 15
+  race.set_deterministic("frail");
+  verdict = judge(race.contest(), kWhole);
+  EXPECT_EQ(verdict.standings.at(0).optimizer, "frail");
+  EXPECT_EQ(verdict.standings.at(0).observations, 1u);
+}
+
 TEST(Verdict, WhereAllHaveFailedThereIsNothingToTake) {
   Race race;
   race.add_all("a", {3.0, 3.0});

@@ -11,11 +11,14 @@
 /// `starts_at_best`.
 ///
 /// Success is counted in distinct runs. Repeats are one observation, not several, when they began at one start (its
-/// quality is the same to the last bit) and
-///  - the method is deterministic and they agree on whether they got there; or
-///  - they got there at the same evaluation with the same quality, so that all until then was the same: a multi-start
-///    method whose first run finds the best, say. What they drew at random afterwards has decided nothing.
-/// Other trials count each on its own: random ones that never got there drew their own numbers to the end.
+/// quality is the same to the last bit; of a trial that died, that of others of its repeat) and all of that start
+/// agree:
+///  - of a deterministic method on whether they got there;
+///  - of others on having got there at the same evaluation with the same quality, so that all until then was the same:
+///  a
+///    multi-start method whose first run finds the best, say. What they drew at random afterwards has decided nothing.
+/// Where one doesn't agree, or failed before, each trial counts on its own, so that the share of those that got there
+/// is what it was; so do random ones that never got there, which drew their own numbers to the end.
 
 #include <array>
 #include <map>

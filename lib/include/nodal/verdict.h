@@ -3,9 +3,10 @@
 
 /// Which optimizer to take with a budget, who can't be told from it, and how sure that is: pure functions of records.
 ///
-/// Observations  What a test counts: an optimizer's trials, where those that began at one start and went the same way
-///               until the budget are one, with the median of their qualities. A deterministic method from one start is
-///               one observation, however often it is repeated. A failed trial has no quality at any budget: +∞.
+/// Observations  What a test counts: an optimizer's trials, where those of one start are one, with the median of their
+///               qualities, if all of them went the same way until the budget; if one didn't, or failed, each counts on
+///               its own. A deterministic method from one start is one observation, however often it is repeated. A
+///               failed trial has no quality at any budget: +∞.
 ///               Disturbed trials (`contamination`) don't count under a budget of time, nor where the clock ended them,
 ///               as long as the optimizer has others.
 /// Qualities     are compared as they are printed: to kToldDigits digits, and within 1e-9 of G_start − G*, or of G*

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
+#include <map>
 
 #include <nodal/show/number_text.h>
 #include <nodal/statistics/order.h>
@@ -42,57 +42,39 @@ bool one_way(std::span<const TracePoint> a, std::span<const TracePoint> b) {
       [](const TracePoint& p, const TracePoint& q) { return p.evaluation == q.evaluation && p.quality == q.quality; });
 }
 
+// Whether all went as the longest did, so that chance has had no part in any yet.
+bool all_one_way(const std::vector<const TrialRecord*>& trials, const Limit& limit) {
+  const auto length = [&](const TrialRecord* trial) { return way_of(*trial, limit).size(); };
+  const TrialRecord& longest = **std::ranges::max_element(trials, {}, length);
+  return std::ranges::all_of(trials, [&](const TrialRecord* trial) {
+    return !is_failure(trial->end) && one_way(way_of(*trial, limit), way_of(longest, limit));
+  });
+}
+
 // Trials of one observation.
 struct Group {
   std::optional<double> start;
-  bool failed = false;
   std::vector<const TrialRecord*> trials;
 };
 
-class Grouping {
- public:
-  Grouping(bool deterministic, const Limit& limit, const std::map<int, double>& starts)
-      : deterministic_(deterministic), limit_(limit), starts_(starts) {
-    std::set<double> distinct;
-    for (const auto& [repeat, start] : starts) distinct.insert(start);
-    if (distinct.size() == 1) only_start_ = *distinct.begin();
-  }
-
-  // Longest ways first, so that a short one that two others begin with doesn't make these one.
-  std::vector<Group> groups(std::vector<const TrialRecord*> trials) {
-    std::ranges::stable_sort(trials, std::ranges::greater(),
-                             [this](const TrialRecord* trial) { return way_of(*trial, limit_).size(); });
-    std::vector<Group> made;
-    for (const TrialRecord* trial : trials) {
-      const std::optional<double> start = start_of(*trial);
-      const auto same = std::ranges::find_if(made, [&](const Group& group) { return belongs(*trial, start, group); });
-      if (same == made.end())
-        made.push_back({start, is_failure(trial->end), {trial}});
-      else
-        same->trials.push_back(trial);
-    }
-    return made;
-  }
-
- private:
-  // Of a trial that died, what others of its repeat began at.
-  std::optional<double> start_of(const TrialRecord& trial) const {
-    if (trial.start.quality) return trial.start.quality;
-    const auto found = starts_.find(trial.repeat);
-    return found == starts_.end() ? only_start_ : std::optional(found->second);
-  }
-
-  bool belongs(const TrialRecord& trial, const std::optional<double>& start, const Group& group) const {
-    if (!start || start != group.start || is_failure(trial.end) != group.failed) return false;
-    if (deterministic_) return true;
-    return !group.failed && one_way(way_of(trial, limit_), way_of(*group.trials.front(), limit_));
-  }
-
-  bool deterministic_;
-  const Limit& limit_;
-  const std::map<int, double>& starts_;
-  std::optional<double> only_start_;
-};
+// Of one start either all are one, or each is its own: were only those one that agree, one failure among many that
+// don't fail would be half of what is known.
+std::vector<Group> groups_of(const std::vector<const TrialRecord*>& trials, bool deterministic, const Limit& limit,
+                             const TrialStarts& starts) {
+  std::vector<Group> groups;
+  std::map<double, std::vector<const TrialRecord*>> by_start;
+  for (const TrialRecord* trial : trials)
+    if (const std::optional<double> start = starts.of(*trial))
+      by_start[*start].push_back(trial);
+    else
+      groups.push_back({std::nullopt, {trial}});
+  for (const auto& [start, of_start] : by_start)
+    if (deterministic || all_one_way(of_start, limit))
+      groups.push_back({start, of_start});
+    else
+      for (const TrialRecord* trial : of_start) groups.push_back({start, {trial}});
+  return groups;
+}
 
 // By what the clock has a say in.
 bool clock_counts(const TrialRecord& trial, const Limit& limit) {
@@ -123,15 +105,8 @@ double Told::gap(double quality) const {
   return ((*this)(quality) - (*this)(best_)) / unit_;
 }
 
-std::map<int, double> starts_of(const Contest& contest) {
-  std::map<int, double> starts;
-  for (const TrialRecord* trial : contest.trials)
-    if (trial->start.quality) starts.emplace(trial->repeat, *trial->start.quality);
-  return starts;
-}
-
-Observations observe(const Contest& contest, const RowRequest& optimizer, const Limit& limit,
-                     const std::map<int, double>& starts, const Told& told) {
+Observations observe(const Contest& contest, const RowRequest& optimizer, const Limit& limit, const TrialStarts& starts,
+                     const Told& told) {
   Observations found;
   std::vector<const TrialRecord*> by_clock;
   for (const TrialRecord* trial : contest.trials)
@@ -142,7 +117,7 @@ Observations observe(const Contest& contest, const RowRequest& optimizer, const 
   const bool only_disturbed = !timed.empty() && disturbed(timed.front());
   found.only_disturbed = only_disturbed && found.trials.empty();
   if (!only_disturbed || found.only_disturbed) found.trials.insert(found.trials.end(), timed.begin(), timed.end());
-  for (const Group& group : Grouping(optimizer.deterministic, limit, starts).groups(found.trials)) {
+  for (const Group& group : groups_of(found.trials, optimizer.deterministic, limit, starts)) {
     std::vector<double> qualities;
     int repeat = group.trials.front()->repeat;
     for (const TrialRecord* trial : group.trials) {

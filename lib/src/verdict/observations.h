@@ -4,16 +4,17 @@
 /// What of an optimizer's trials counts under a limit.
 
 #include <cstddef>
-#include <map>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include <nodal/verdict.h>
 
+#include "../trial_starts.h"
+
 namespace nodal::verdict {
 
-/// Trials that went one way from one start.
+/// Trials that went one way from one start, or one trial.
 struct Observation {
   int repeat = 0;                ///< of the first of them
   std::optional<double> start;   ///< its quality; empty where nobody knows it
@@ -42,10 +43,7 @@ class Told {
   double best_ = 0.0, unit_ = 1.0, noise_ = 0.0;
 };
 
-/// Starts of a problem by repeat, as far as any trial has one.
-[[nodiscard]] std::map<int, double> starts_of(const Contest& contest);
-
 [[nodiscard]] Observations observe(const Contest& contest, const RowRequest& optimizer, const Limit& limit,
-                                   const std::map<int, double>& starts, const Told& told);
+                                   const TrialStarts& starts, const Told& told);
 
 }  // namespace nodal::verdict

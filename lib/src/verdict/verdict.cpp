@@ -61,7 +61,7 @@ bool has_improved(const Field& field, const Entrant& entrant) {
 
 Field field_of(const Contest& contest, const Limit& limit) {
   Field field{verdict::Told(contest), {}, {}, 0, false};
-  const std::map<int, double> starts = verdict::starts_of(contest);
+  const TrialStarts starts(contest.trials);
   for (const RowRequest& optimizer : contest.optimizers) {
     Entrant entrant{optimizer.label, verdict::observe(contest, optimizer, limit, starts, field.told)};
     if (entrant.observed.all.empty()) continue;
