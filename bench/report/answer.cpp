@@ -17,7 +17,8 @@ namespace nodal::report {
 
 namespace {
 
-constexpr std::size_t kDay = 10;  // "2026-11-28"
+constexpr std::size_t kDay = 10;           // "2026-11-28"
+constexpr std::size_t kNamedProblems = 3;  // more are counted
 
 const Value::List& list_in(const Value& table, std::string_view key) {
   static const Value::List none;
@@ -58,12 +59,32 @@ std::string interval_text(const statistics::Interval& interval) {
   return fmt::format(" [{}, {}]", fixed(*interval.lower), interval.upper ? fixed(*interval.upper) : "never");
 }
 
+// "told on A alone: p = 0.012"; worse or better than the first, as is asked for.
+std::string told_on_text(const Standing& standing, bool worse) {
+  std::vector<std::string> parts;
+  double most = 0.0;
+  for (const ToldOn& on : standing.told_on)
+    if (on.worse == worse) {
+      parts.push_back(fmt::format("on {}: {}", on.problem, p_text(on.p)));
+      most = std::max(most, on.p);
+    }
+  if (parts.empty()) return {};
+  const std::string told = worse ? "told " : "better ";
+  if (parts.size() > kNamedProblems) return told + fmt::format("on {} problems, each p ≤ {:.2g}", parts.size(), most);
+  if (standing.told_on.size() == 1) {
+    const ToldOn& on = standing.told_on.front();
+    return told + fmt::format("on {} alone: {}", on.problem, p_text(on.p));
+  }
+  return told + fmt::format("{}", fmt::join(parts, ", "));
+}
+
 // How sure a pair is.
 std::string certainty(const Standing& standing) {
   if (standing.relation == Relation::untested)
     return standing.observations <= 1 ? "one observation: no test" : "no test";
   std::vector<std::string> parts;
   if (standing.p) parts.push_back(p_text(*standing.p));
+  if (const std::string told = told_on_text(standing, true); !told.empty()) parts.push_back(told);
   if (standing.effect) parts.push_back(fmt::format("Â = {:.2f}", *standing.effect));
   if (standing.few)
     parts.push_back(
@@ -89,6 +110,12 @@ std::string next_value(const Verdict& verdict, const Standing& standing) {
 
 std::string tie_text(const Standing& standing) {
   if (standing.relation == Relation::equal) return standing.optimizer + " (equal digits)";
+  if (standing.relation == Relation::contrary && standing.p)
+    return standing.optimizer + fmt::format(" (a test finds it better: {})", p_text(*standing.p));
+  std::vector<std::string> told;
+  for (const bool worse : {true, false})
+    if (std::string text = told_on_text(standing, worse); !text.empty()) told.push_back(std::move(text));
+  if (!told.empty()) return standing.optimizer + in_brackets(fmt::format("{}", fmt::join(told, "; ")));
   return standing.optimizer + in_brackets(standing.p ? p_text(*standing.p) : "no test tells");
 }
 
@@ -103,15 +130,19 @@ std::string ties_text(const std::vector<const Standing*>& taken, std::size_t mos
   return fmt::format("{}", fmt::join(ties, ", "));
 }
 
+std::string nobody_text(const Verdict& verdict) {
+  return verdict.partial.empty() ? "no optimizer" : "no optimizer that has tried every problem";
+}
+
 AnswerRow row_of(const Verdict& verdict, const Scope& scope, const std::string& name, std::size_t most) {
   AnswerRow row{limit_text(verdict.limit, scope), "–", "", "", ""};
   if (verdict.nobody) {
     row.value = verdict.standings.empty() ? "no optimizer has tried every problem"
-                                          : "no optimizer has a median result within that";
+                                          : nobody_text(verdict) + " has a median result within that";
     return row;
   }
   if (!verdict.improved) {
-    row.value = "no optimizer has improved its start within that";
+    row.value = nobody_text(verdict) + " has improved its start within that";
     return row;
   }
   const std::vector<const Standing*> taken = verdict.to_take();
@@ -259,9 +290,21 @@ std::vector<std::string> answer_legend(const Answer& answer) {
                   "adjustment over all pairs. Â is the chance that the next does worse.",
                   "Wilcoxon's where starts are shared, else Mann and Whitney's"),
       "Repeats of a deterministic method from one start are one observation, which nothing can be tested with."};
-  if (answer.verdicts.front().problems.size() > 1)
+  const auto any = [&](auto is) {
+    return std::ranges::any_of(answer.verdicts,
+                               [&](const Verdict& verdict) { return std::ranges::any_of(verdict.standings, is); });
+  };
+  if (any([](const Standing& standing) { return standing.relation == Relation::contrary; }))
     lines.emplace_back(
-        "Over several problems the least mean rank of medians is taken, and pairs of all of them are tested together.");
+        "Where a test finds one better than the first, medians and test disagree: it is named as a tie.");
+  if (answer.verdicts.front().problems.size() < 2) return lines;
+  lines.emplace_back("Over several problems the least mean rank of medians is taken, among those that have tried all.");
+  if (any([](const Standing& standing) { return standing.p.has_value(); }))
+    lines.emplace_back("Pairs that share their starts on every problem are tested over all problems together.");
+  if (any([](const Standing& standing) { return !standing.p && standing.tested_on > 0; }))
+    lines.emplace_back(
+        "Pairs that don't share their starts are tested on each problem by itself, and Holm's adjustment is over pairs "
+        "and problems: told is who is told on some problem, while none tells the contrary.");
   return lines;
 }
 

@@ -16,6 +16,8 @@ const char* to_string(Relation relation) {
       return "equal";
     case Relation::untold:
       return "untold";
+    case Relation::contrary:
+      return "contrary";
     case Relation::untested:
       return "untested";
     case Relation::told:

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -19,14 +20,16 @@ namespace {
 std::string paragraph(const std::string& text) { return "<p>" + escape_html(text) + "</p>\n"; }
 
 std::string headline(const ReportData& data) {
-  std::size_t trials = 0, optimizers = 0;
-  for (const ProblemReport& problem : data.problems) {
-    optimizers = std::max(optimizers, problem.table.rows.size());
-    for (const OptimizerRow& row : problem.table.rows) trials += row.trials;
-  }
+  std::size_t trials = 0;
+  std::set<std::string> optimizers;
+  for (const ProblemReport& problem : data.problems)
+    for (const OptimizerRow& row : problem.table.rows) {
+      optimizers.insert(row.label);
+      trials += row.trials;
+    }
   return fmt::format("<h1>{}</h1>\n<p>{} on {}, {}. Which gets how close, how fast?</p>\n",
                      escape_html(data.study_name.empty() ? "Comparison" : data.study_name),
-                     counted(optimizers, "optimizer", "optimizers"),
+                     counted(optimizers.size(), "optimizer", "optimizers"),
                      counted(data.problems.size(), "problem", "problems"), counted(trials, "trial", "trials"));
 }
 

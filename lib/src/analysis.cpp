@@ -107,16 +107,16 @@ Arrival arrival_of(const TrialRecord& record, const ProblemReference& reference,
 
 // What trials of one run agree on: whether they got there and, of random methods, at which evaluation with what
 // quality.
-using Outcome = std::tuple<bool, std::int64_t, double>;
+using RunOutcome = std::tuple<bool, std::int64_t, double>;
 
-Outcome outcome_of(const Arrival& arrival, bool deterministic) {
+RunOutcome outcome_of(const Arrival& arrival, bool deterministic) {
   if (deterministic || !arrival.point) return {arrival.reached(), 0, 0.0};
   return {true, arrival.point->evaluation, arrival.point->quality};
 }
 
 // Trials of one start.
 struct FromStart {
-  std::set<Outcome> outcomes;
+  std::set<RunOutcome> outcomes;
   std::size_t trials = 0, reached = 0;
 
   void add(const Arrival& arrival, bool deterministic) {

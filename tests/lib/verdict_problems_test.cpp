@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+#include <nodal/statistics/two_samples.h>
+
 #include "verdict_trials.h"
 
 namespace nodal {
@@ -65,6 +67,42 @@ TEST(VerdictOfProblems, WithoutSharedStartsProblemsAreCounted) {
   EXPECT_FALSE(standing(verdict, "b").p);
   EXPECT_DOUBLE_EQ(*standing(verdict, "b").effect, 1.0);
   EXPECT_EQ(standing(verdict, "one").relation, Relation::untested);
+  // Two tests, of equal p: Holm makes twice of it.
+  EXPECT_EQ(verdict.tests, 2u);
+  ASSERT_EQ(standing(verdict, "b").told_on.size(), 2u);
+  EXPECT_EQ(standing(verdict, "b").told_on[1].problem, "p1");
+  EXPECT_DOUBLE_EQ(standing(verdict, "b").told_on[1].p, 2.0 * statistics::mann_whitney(shifted(low, 3.0), low)->p);
+  EXPECT_TRUE(standing(verdict, "b").told_on[1].worse);
+}
+
+// Four against four, all apart: p = 2(1 − Φ(7.5/√12)) = 0.0304, which is told of one problem, but not of one of two.
+TEST(VerdictOfProblems, WithoutSharedStartsTestsAreAdjustedOverProblems) {
+  std::vector<Race> races(2);
+  for (Race& race : races) race.add_all("a", {2.0, 2.1, 2.2, 2.3});
+  races[0].add_all("b", {3.0, 3.1, 3.2, 3.3});
+  races[1].add_all("b", {2.0, 2.1, 2.2, 2.4});
+  const std::vector<Contest> contests = {races[0].contest("p0"), races[1].contest("p1")};
+  const Verdict verdict = judge(contests, kWhole);
+  EXPECT_EQ(standing(verdict.by_problem[0], "b").relation, Relation::told);
+  EXPECT_EQ(standing(verdict, "b").relation, Relation::untold);
+  EXPECT_EQ(standing(verdict, "b").tested_on, 2u);
+  EXPECT_TRUE(standing(verdict, "b").told_on.empty());
+}
+
+TEST(VerdictOfProblems, WithoutSharedStartsOneAgainstTheRanksIsContrary) {
+  const std::vector<double> low = {2.0, 2.1, 2.2, 2.3, 2.4, 2.5, 2.6, 2.7};
+  std::vector<Race> races(3);
+  for (std::size_t p = 0; p < 3; ++p) {
+    races[p].add_all("a", p == 2 ? shifted(low, 3.0) : low);
+    races[p].add_all("b", p == 2 ? low : shifted(low, 0.001));
+  }
+  const std::vector<Contest> contests = {races[0].contest("p0"), races[1].contest("p1"), races[2].contest("p2")};
+  const Verdict verdict = judge(contests, kWhole);
+  EXPECT_EQ(taken(verdict), (Labels{"a", "b"}));
+  EXPECT_EQ(standing(verdict, "b").relation, Relation::contrary);
+  ASSERT_EQ(standing(verdict, "b").told_on.size(), 1u);
+  EXPECT_EQ(standing(verdict, "b").told_on[0].problem, "p2");
+  EXPECT_FALSE(standing(verdict, "b").told_on[0].worse);
 }
 
 TEST(VerdictOfProblems, LeavesOutWhoHasNotTriedAll) {
@@ -77,6 +115,22 @@ TEST(VerdictOfProblems, LeavesOutWhoHasNotTriedAll) {
   EXPECT_EQ(verdict.standings.size(), 1u);
   EXPECT_EQ(verdict.partial, Labels{"b"});
   EXPECT_FALSE(verdict.friedman_p);
+}
+
+// x is the best on the one problem that it tried: there a is the least of those that tried both.
+TEST(VerdictOfProblems, CountsLeastAndTiedAmongWhoHasTriedAll) {
+  std::vector<Race> races(2);
+  for (Race& race : races) {
+    race.add_all("a", shifted(kBase, 1.0), true);
+    race.add_all("b", shifted(kBase, 2.0), true);
+  }
+  races[0].add_all("x", kBase, true);
+  const std::vector<Contest> contests = {races[0].contest("p0"), races[1].contest("p1")};
+  const Verdict verdict = judge(contests, kWhole);
+  EXPECT_EQ(verdict.by_problem[0].standings[0].optimizer, "x");
+  EXPECT_DOUBLE_EQ(standing(verdict, "a").rank, 1.0);
+  EXPECT_EQ(standing(verdict, "a").best_on, 2u);
+  EXPECT_EQ(standing(verdict, "a").tied_on, 2u);
 }
 
 TEST(VerdictOfProblems, OfOneIsThatOne) {

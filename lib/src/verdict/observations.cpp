@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 #include <nodal/show/number_text.h>
 #include <nodal/statistics/order.h>
@@ -103,6 +104,26 @@ double Told::operator()(double quality) const {
 double Told::gap(double quality) const {
   if (!std::isfinite(quality)) return kNever;
   return ((*this)(quality) - (*this)(best_)) / unit_;
+}
+
+void keep_shared_starts(std::span<Observations* const> of_optimizers, const TrialStarts& starts) {
+  std::map<double, std::size_t> having;  // optimizers, by start
+  for (const Observations* one : of_optimizers) {
+    std::set<double> own;
+    for (const Observation& observation : one->all) {
+      if (!observation.start) return;
+      own.insert(*observation.start);
+    }
+    for (const double start : own) ++having[start];
+  }
+  const auto shared = [&](double start) { return having.at(start) == of_optimizers.size(); };
+  const auto all =
+      static_cast<std::size_t>(std::ranges::count_if(having, [&](const auto& entry) { return shared(entry.first); }));
+  if (2 * all < having.size()) return;
+  for (Observations* one : of_optimizers) {
+    std::erase_if(one->all, [&](const Observation& observation) { return !shared(*observation.start); });
+    std::erase_if(one->trials, [&](const TrialRecord* trial) { return !shared(*starts.of(*trial)); });
+  }
 }
 
 Observations observe(const Contest& contest, const RowRequest& optimizer, const Limit& limit, const TrialStarts& starts,

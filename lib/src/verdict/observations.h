@@ -43,6 +43,9 @@ class Told {
   double best_ = 0.0, unit_ = 1.0, noise_ = 0.0;
 };
 
+/// Keeps those from starts that all have, unless these are less than half of all starts or somebody's aren't known.
+void keep_shared_starts(std::span<Observations* const> of_optimizers, const TrialStarts& starts);
+
 [[nodiscard]] Observations observe(const Contest& contest, const RowRequest& optimizer, const Limit& limit,
                                    const TrialStarts& starts, const Told& told);
 

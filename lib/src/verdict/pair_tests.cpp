@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <nodal/statistics/order.h>
 #include <nodal/statistics/two_samples.h>
 
 namespace nodal::verdict {
@@ -19,10 +20,25 @@ double difference(double x, double y) {
   return std::isfinite(large) ? large - (large - d) : d;
 }
 
-double wilcoxon_p(std::span<const double> x, std::span<const double> y) {
+// Σ sign(d) rank(|d|).
+double signed_ranks(const std::vector<double>& differences) {
+  std::vector<double> sizes;
+  for (const double d : differences)
+    if (d != 0.0) sizes.push_back(std::abs(d));
+  const std::vector<double> ranks = statistics::mid_ranks(sizes);
+  double sum = 0.0;
+  auto rank = ranks.begin();
+  for (const double d : differences)
+    if (d != 0.0) sum += std::copysign(*rank++, d);
+  return sum;
+}
+
+void test_by_ranks(std::span<const double> x, std::span<const double> y, Tested& tested) {
   std::vector<double> differences;
   for (std::size_t i = 0; i < x.size(); ++i) differences.push_back(difference(x[i], y[i]));
-  return statistics::wilcoxon(differences, std::vector<double>(x.size(), 0.0))->p;
+  tested.test = PairTest::wilcoxon;
+  tested.p = statistics::wilcoxon(differences, std::vector<double>(x.size(), 0.0))->p;
+  tested.lean = signed_ranks(differences);
 }
 
 }  // namespace
@@ -54,8 +70,13 @@ Tested test_pair(const Samples& samples) {
   tested.pairs = std::min(samples.x.size(), samples.y.size());
   tested.effect = statistics::vargha_delaney(samples.x, samples.y);
   if (tested.pairs < 2) return tested;
-  tested.test = samples.paired ? PairTest::wilcoxon : PairTest::mann_whitney;
-  tested.p = samples.paired ? wilcoxon_p(samples.x, samples.y) : statistics::mann_whitney(samples.x, samples.y)->p;
+  if (samples.paired) {
+    test_by_ranks(samples.x, samples.y, tested);
+  } else {
+    tested.test = PairTest::mann_whitney;
+    tested.p = statistics::mann_whitney(samples.x, samples.y)->p;
+    tested.lean = *tested.effect - 0.5;
+  }
   return tested;
 }
 
@@ -75,8 +96,7 @@ Tested test_pairs_together(std::span<const Samples> by_problem) {
   }
   if (tested.pairs > 0) tested.effect = effects / static_cast<double>(tested.pairs);
   if (!paired || tested.pairs < 2) return tested;
-  tested.test = PairTest::wilcoxon;
-  tested.p = wilcoxon_p(x, y);
+  test_by_ranks(x, y, tested);
   return tested;
 }
 

@@ -30,6 +30,8 @@ struct Tested {
   std::size_t pairs = 0;
   double p = 1.0;                ///< adjusted by `adjust`
   std::optional<double> effect;  ///< Â that the first is larger
+  double lean = 0.0;             ///< above 0 where the test finds the first larger, below where the second
+  [[nodiscard]] bool tells() const noexcept { return test != PairTest::none && p < kSignificance && lean != 0.0; }
 };
 
 /// Of one problem.

@@ -33,9 +33,8 @@ struct Entrant {
 // One problem under a limit.
 struct Field {
   verdict::Told told;
-  std::vector<Entrant> entrants;  // in the order asked for
-  std::vector<verdict::Tested> tests;
-  std::size_t tested = 0;
+  std::vector<Entrant> entrants;       // in the order asked for
+  std::vector<verdict::Tested> tests;  // of all pairs, not adjusted
   bool improved = false;
 
   [[nodiscard]] double least() const {
@@ -59,17 +58,27 @@ bool has_improved(const Field& field, const Entrant& entrant) {
   });
 }
 
-Field field_of(const Contest& contest, const Limit& limit) {
-  Field field{verdict::Told(contest), {}, {}, 0, false};
+std::vector<Entrant> entrants_of(const Contest& contest, const Limit& limit, const verdict::Told& told) {
+  std::vector<Entrant> entrants;
   const TrialStarts starts(contest.trials);
   for (const RowRequest& optimizer : contest.optimizers) {
-    Entrant entrant{optimizer.label, verdict::observe(contest, optimizer, limit, starts, field.told)};
-    if (entrant.observed.all.empty()) continue;
+    Entrant entrant{optimizer.label, verdict::observe(contest, optimizer, limit, starts, told)};
+    if (!entrant.observed.all.empty()) entrants.push_back(std::move(entrant));
+  }
+  std::vector<verdict::Observations*> observed;
+  for (Entrant& entrant : entrants) observed.push_back(&entrant.observed);
+  verdict::keep_shared_starts(observed, starts);
+  return entrants;
+}
+
+Field field_of(const Contest& contest, const Limit& limit) {
+  Field field{verdict::Told(contest), {}, {}, false};
+  field.entrants = entrants_of(contest, limit, field.told);
+  for (Entrant& entrant : field.entrants) {
     const double median = statistics::quantile(entrant.observed.qualities(), 0.5);
     entrant.median = field.told(median);
     entrant.gap = field.told.gap(median);
     field.improved = field.improved || has_improved(field, entrant);
-    field.entrants.push_back(std::move(entrant));
   }
   const double least = field.least();
   for (Entrant& entrant : field.entrants) {
@@ -82,22 +91,25 @@ Field field_of(const Contest& contest, const Limit& limit) {
     for (std::size_t j = i + 1; j < field.entrants.size(); ++j)
       field.tests.push_back(verdict::test_pair(
           verdict::samples_of(field.entrants[i].observed, field.entrants[j].observed, &verdict::Observation::told)));
-  field.tested = verdict::adjust(field.tests);
   return field;
 }
 
-// Of `other` against `first`, with Â that the other is worse.
-verdict::Tested against(const std::vector<verdict::Tested>& tests, std::size_t first, std::size_t other,
-                        std::size_t count) {
-  verdict::Tested tested = tests[verdict::pair_index(std::min(first, other), std::max(first, other), count)];
-  if (first < other && tested.effect) tested.effect = 1.0 - *tested.effect;
+// The same with the two exchanged.
+verdict::Tested turned(verdict::Tested tested) {
+  if (tested.effect) tested.effect = 1.0 - *tested.effect;
+  tested.lean = -tested.lean;
   return tested;
 }
 
-// A test that finds the other better contradicts the medians: then neither is told to be the better one.
+// Of `other` against `first`, with Â and lean that the other is worse.
+verdict::Tested against(const std::vector<verdict::Tested>& tests, std::size_t first, std::size_t other,
+                        std::size_t count) {
+  const verdict::Tested& tested = tests[verdict::pair_index(std::min(first, other), std::max(first, other), count)];
+  return first < other ? turned(tested) : tested;
+}
+
 Relation relation_of(const verdict::Tested& tested, bool equal) {
-  const bool tells = tested.test != PairTest::none && tested.p < kSignificance && tested.effect && *tested.effect > 0.5;
-  if (tells) return Relation::told;
+  if (tested.tells()) return tested.lean > 0.0 ? Relation::told : Relation::contrary;
   if (equal) return Relation::equal;
   return tested.test == PairTest::none ? Relation::untested : Relation::untold;
 }
@@ -153,7 +165,8 @@ Verdict verdict_of(const Contest& contest, const Field& field, const Limit& limi
   verdict.problems = {contest.reference.label};
   verdict.nobody = !std::isfinite(field.least());
   verdict.improved = field.improved;
-  verdict.tests = field.tested;
+  std::vector<verdict::Tested> tests = field.tests;
+  verdict.tests = verdict::adjust(tests);
   const std::vector<std::size_t> order = order_of(field);
   const std::vector<double> ranks = statistics::mid_ranks(medians_of(field));
   for (const std::size_t i : order) {
@@ -165,7 +178,7 @@ Verdict verdict_of(const Contest& contest, const Field& field, const Limit& limi
       standing.relation = Relation::first;
     } else {
       const Entrant& first = field.entrants[order.front()];
-      const verdict::Tested tested = against(field.tests, order.front(), i, field.entrants.size());
+      const verdict::Tested tested = against(tests, order.front(), i, field.entrants.size());
       set_test(tested, standing);
       standing.relation = relation_of(tested, entrant.median == first.median);
       standing.few = standing.relation == Relation::told && tested.pairs < kManyObservations &&
@@ -179,25 +192,23 @@ Verdict verdict_of(const Contest& contest, const Field& field, const Limit& limi
 
 // ── Several problems ──
 
-// Every problem's field, of the optimizers that all of them have.
+// Every problem's field.
 struct Fields {
-  std::vector<Field> fields;
-  std::vector<Verdict> verdicts;
-  std::vector<std::string> labels, partial;
+  std::vector<Verdict> verdicts;             // of all optimizers
+  std::vector<std::string> labels, partial;  // of those that have tried all problems, and of those that haven't
+  std::vector<Field> fields;                 // of the former alone
+  std::vector<Verdict> among;                // … and what is said of them
 
+  [[nodiscard]] std::size_t index(std::size_t problem, std::size_t i) const {
+    const std::vector<Entrant>& entrants = fields[problem].entrants;
+    return static_cast<std::size_t>(std::ranges::find(entrants, labels[i], &Entrant::label) - entrants.begin());
+  }
   [[nodiscard]] const Entrant& entrant(std::size_t problem, std::size_t i) const {
-    return *std::ranges::find(fields[problem].entrants, labels[i], &Entrant::label);
+    return fields[problem].entrants[index(problem, i)];
   }
 };
 
-Fields fields_of(std::span<const Contest> contests, const Limit& limit) {
-  Fields all;
-  for (const Contest& contest : contests) {
-    Field field = field_of(contest, limit);
-    if (field.entrants.empty()) continue;
-    all.verdicts.push_back(verdict_of(contest, field, limit));
-    all.fields.push_back(std::move(field));
-  }
+void set_labels(Fields& all) {
   const auto everywhere = [&](const std::string& label) {
     return std::ranges::all_of(all.fields, [&](const Field& field) {
       return std::ranges::find(field.entrants, label, &Entrant::label) != field.entrants.end();
@@ -208,6 +219,28 @@ Fields fields_of(std::span<const Contest> contests, const Limit& limit) {
       std::vector<std::string>& list = everywhere(entrant.label) ? all.labels : all.partial;
       if (std::ranges::find(list, entrant.label) == list.end()) list.push_back(entrant.label);
     }
+}
+
+Fields fields_of(std::span<const Contest> contests, const Limit& limit) {
+  Fields all;
+  std::vector<Contest> tried;
+  for (const Contest& contest : contests) {
+    Field field = field_of(contest, limit);
+    if (field.entrants.empty()) continue;
+    all.verdicts.push_back(verdict_of(contest, field, limit));
+    all.fields.push_back(std::move(field));
+    tried.push_back(contest);
+  }
+  set_labels(all);
+  all.among = all.verdicts;
+  if (all.partial.empty()) return all;
+  for (std::size_t p = 0; p < tried.size(); ++p) {
+    std::erase_if(tried[p].optimizers, [&](const RowRequest& optimizer) {
+      return std::ranges::find(all.labels, optimizer.label) == all.labels.end();
+    });
+    all.fields[p] = field_of(tried[p], limit);
+    all.among[p] = verdict_of(tried[p], all.fields[p], limit);
+  }
   return all;
 }
 
@@ -224,43 +257,65 @@ std::vector<double> mean_ranks(const Fields& all, double Entrant::*member) {
   return sums;
 }
 
-std::vector<verdict::Tested> tests_together(const Fields& all) {
-  std::vector<verdict::Tested> tests;
-  for (std::size_t i = 0; i < all.labels.size(); ++i)
-    for (std::size_t j = i + 1; j < all.labels.size(); ++j) {
-      std::vector<verdict::Samples> samples;
-      for (std::size_t p = 0; p < all.fields.size(); ++p)
-        samples.push_back(
-            verdict::samples_of(all.entrant(p, i).observed, all.entrant(p, j).observed, &verdict::Observation::gap));
-      tests.push_back(verdict::test_pairs_together(samples));
-    }
-  return tests;
-}
+// Two optimizers over all problems: tested together or, where that can't be, on each.
+struct PairOverAll {
+  verdict::Tested together;
+  std::vector<verdict::Tested> by_problem;  // empty where they are tested together
+};
 
-// What single problems say, where all together can't be tested.
-Relation relation_by_problem(const Fields& all, std::size_t first, std::size_t other) {
-  bool worse = false, better = false, tested = false;
-  for (const Field& field : all.fields) {
-    const auto index = [&](std::size_t i) {
-      const auto found = std::ranges::find(field.entrants, all.labels[i], &Entrant::label);
-      return static_cast<std::size_t>(found - field.entrants.begin());
-    };
-    const verdict::Tested here = against(field.tests, index(first), index(other), field.entrants.size());
-    if (here.test == PairTest::none) continue;
-    tested = true;
-    if (here.p < kSignificance && here.effect) (*here.effect > 0.5 ? worse : better) = true;
-  }
-  if (worse && !better) return Relation::told;
-  return tested ? Relation::untold : Relation::untested;
-}
-
-Relation relation_together(const Fields& all, const verdict::Tested& tested, std::size_t first, std::size_t other) {
-  bool equal = true;
+PairOverAll pair_over_all(const Fields& all, std::size_t i, std::size_t j) {
+  PairOverAll pair;
+  std::vector<verdict::Samples> samples;
   for (std::size_t p = 0; p < all.fields.size(); ++p)
-    equal = equal && all.entrant(p, first).median == all.entrant(p, other).median;
-  if (tested.test != PairTest::none) return relation_of(tested, equal);
-  const Relation relation = relation_by_problem(all, first, other);
-  return equal && relation != Relation::told ? Relation::equal : relation;
+    samples.push_back(
+        verdict::samples_of(all.entrant(p, i).observed, all.entrant(p, j).observed, &verdict::Observation::gap));
+  pair.together = verdict::test_pairs_together(samples);
+  if (pair.together.test != PairTest::none) return pair;
+  for (std::size_t p = 0; p < all.fields.size(); ++p) {
+    const Field& field = all.fields[p];
+    pair.by_problem.push_back(turned(against(field.tests, all.index(p, i), all.index(p, j), field.entrants.size())));
+  }
+  return pair;
+}
+
+std::vector<PairOverAll> pairs_over_all(const Fields& all) {
+  std::vector<PairOverAll> pairs;
+  for (std::size_t i = 0; i < all.labels.size(); ++i)
+    for (std::size_t j = i + 1; j < all.labels.size(); ++j) pairs.push_back(pair_over_all(all, i, j));
+  return pairs;
+}
+
+// Over all that is tested, on problems, too; returns how many these are.
+std::size_t adjust(std::vector<PairOverAll>& pairs) {
+  std::vector<verdict::Tested> family;
+  for (const PairOverAll& pair : pairs) {
+    family.push_back(pair.together);
+    family.insert(family.end(), pair.by_problem.begin(), pair.by_problem.end());
+  }
+  const std::size_t count = verdict::adjust(family);
+  auto next = family.begin();
+  for (PairOverAll& pair : pairs) {
+    pair.together = *next++;
+    for (verdict::Tested& tested : pair.by_problem) tested = *next++;
+  }
+  return count;
+}
+
+PairOverAll against(const std::vector<PairOverAll>& pairs, std::size_t first, std::size_t other, std::size_t count) {
+  PairOverAll pair = pairs[verdict::pair_index(std::min(first, other), std::max(first, other), count)];
+  if (other < first) return pair;
+  pair.together = turned(pair.together);
+  for (verdict::Tested& tested : pair.by_problem) tested = turned(tested);
+  return pair;
+}
+
+// What single problems say.
+Relation relation_by_problem(const Standing& standing, bool equal) {
+  const bool worse = std::ranges::any_of(standing.told_on, &ToldOn::worse);
+  const bool better = !std::ranges::all_of(standing.told_on, &ToldOn::worse);
+  if (worse != better) return worse ? Relation::told : Relation::contrary;
+  if (equal && !worse) return Relation::equal;
+  return standing.tested_on > 0 ? Relation::untold : Relation::untested;
 }
 
 // On some problem.
@@ -268,6 +323,38 @@ bool below_twofold_anywhere(const Fields& all, std::size_t first, std::size_t ot
   for (std::size_t p = 0; p < all.fields.size(); ++p)
     if (below_twofold(all.entrant(p, first).gap, all.entrant(p, other).gap)) return true;
   return false;
+}
+
+// Few where every problem that tells it worse has few.
+void set_told_on(const Fields& all, const PairOverAll& pair, std::size_t first, std::size_t other, Standing& standing) {
+  standing.pairs = 0;
+  standing.few = true;
+  for (std::size_t p = 0; p < pair.by_problem.size(); ++p) {
+    const verdict::Tested& here = pair.by_problem[p];
+    standing.tested_on += here.test != PairTest::none;
+    if (!here.tells()) continue;
+    const bool worse = here.lean > 0.0;
+    standing.told_on.push_back({all.verdicts[p].problems.front(), here.p, worse});
+    standing.pairs = std::max(standing.pairs, here.pairs);
+    standing.few = standing.few && (!worse || (here.pairs < kManyObservations &&
+                                               below_twofold(all.entrant(p, first).gap, all.entrant(p, other).gap)));
+  }
+}
+
+void set_relation(const Fields& all, const PairOverAll& pair, std::size_t first, std::size_t other,
+                  Standing& standing) {
+  bool equal = true;
+  for (std::size_t p = 0; p < all.fields.size(); ++p)
+    equal = equal && all.entrant(p, first).median == all.entrant(p, other).median;
+  set_test(pair.together, standing);
+  if (pair.together.test != PairTest::none) {
+    standing.relation = relation_of(pair.together, equal);
+    standing.few = pair.together.pairs < kManyObservations && below_twofold_anywhere(all, first, other);
+  } else {
+    set_told_on(all, pair, first, other, standing);
+    standing.relation = relation_by_problem(standing, equal);
+  }
+  standing.few = standing.few && standing.relation == Relation::told;
 }
 
 std::optional<double> friedman_of(const Fields& all) {
@@ -284,7 +371,7 @@ std::optional<double> friedman_of(const Fields& all) {
 Standing sum_of(const Fields& all, const std::string& label) {
   Standing sum;
   sum.optimizer = label;
-  for (const Verdict& verdict : all.verdicts) {
+  for (const Verdict& verdict : all.among) {
     const Standing& here = *std::ranges::find(verdict.standings, label, &Standing::optimizer);
     sum.trials += here.trials;
     sum.observations += here.observations;
@@ -301,8 +388,8 @@ void add_standings(const Fields& all, Verdict& verdict) {
   const std::vector<double> ranks = mean_ranks(all, &Entrant::median), costs = mean_ranks(all, &Entrant::cost);
   const std::vector<std::size_t> order =
       order_by(all.labels.size(), [&](std::size_t i) { return std::tuple(ranks[i], costs[i]); });
-  std::vector<verdict::Tested> tests = tests_together(all);
-  verdict.tests = verdict::adjust(tests);
+  std::vector<PairOverAll> pairs = pairs_over_all(all);
+  verdict.tests = adjust(pairs);
   for (const std::size_t i : order) {
     Standing& standing = verdict.standings.emplace_back(sum_of(all, all.labels[i]));
     standing.rank = ranks[i];
@@ -310,11 +397,7 @@ void add_standings(const Fields& all, Verdict& verdict) {
       standing.relation = Relation::first;
       continue;
     }
-    const verdict::Tested tested = against(tests, order.front(), i, all.labels.size());
-    set_test(tested, standing);
-    standing.relation = relation_together(all, tested, order.front(), i);
-    standing.few = standing.relation == Relation::told && tested.pairs < kManyObservations &&
-                   below_twofold_anywhere(all, order.front(), i);
+    set_relation(all, against(pairs, order.front(), i, all.labels.size()), order.front(), i, standing);
   }
 }
 
@@ -356,7 +439,7 @@ Verdict judge(std::span<const Contest> contests, const Limit& limit) {
   Verdict verdict;
   verdict.limit = limit;
   verdict.partial = all.partial;
-  for (const Verdict& of_one : all.verdicts) {
+  for (const Verdict& of_one : all.among) {
     verdict.problems.push_back(of_one.problems.front());
     verdict.nobody = verdict.nobody && of_one.nobody;
     verdict.improved = verdict.improved || of_one.improved;

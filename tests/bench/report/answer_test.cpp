@@ -88,6 +88,54 @@ TEST(Answer, OverProblemsItSaysRanksAndOnHowMany) {
   EXPECT_EQ(count(page, "Friedman"), 1u);
 }
 
+// From one start, as random methods do: on `a` all of eight are apart, z = (32 − ½)/√(64·17/12) = 3.3082; on `b` they
+// are the same. Of two tests Holm makes twice 0.000939. Â over both: (1 + ½)/2.
+TEST(Answer, OverProblemsWithoutSharedStartsItSaysWhereOneIsTold) {
+  MadeStore made;
+  for (int r = 0; r < 8; ++r) {
+    made.add("a", "sure", r, {{5, 1.0 + 0.1 * r}});
+    made.add("a", "slow", r, {{6, 3.0 + 0.1 * r}});
+    made.add("b", "sure", r, {{5, 1.0 + 0.1 * r}});
+    made.add("b", "slow", r, {{6, 1.0 + 0.1 * r}});
+  }
+  const ReportData data = collect_one(made);
+  const AnswerRow row = answer_rows(data.answer.verdicts, data.answer.scope, "G").front();
+  EXPECT_EQ(row.next, "slow: mean rank 1.8 (told on a alone: p = 0.0019, Â = 0.75)");
+  const std::string page = report_html(data);
+  EXPECT_EQ(count(page, "Holm&#39;s adjustment is over pairs and problems") +
+                count(page, "Holm's adjustment is over pairs and problems"),
+            1u);
+  EXPECT_EQ(count(page, "are tested over all problems together"), 0u);
+}
+
+TEST(Answer, OverProblemsItCountsAmongWhoHasTriedAll) {
+  MadeStore made;
+  for (const char* problem : {"a", "b"}) race(made, problem);
+  for (int r = 0; r < 8; ++r) {
+    made.add("a", "only a", r, {{2, 0.5}}, 4.0 + r);
+    made.add("b", "only b", r, {{2, 0.5}}, 4.0 + r);
+  }
+  const ReportData data = collect_one(made);
+  EXPECT_EQ(answer_rows(data.answer.verdicts, data.answer.scope, "G").front().value,
+            "mean rank 1.0; least or tied on 2 of 2 problems");
+  EXPECT_EQ(count(report_html(data), "<p>4 optimizers on 2 problems, 48 trials."), 1u);
+}
+
+TEST(Answer, ATestAgainstTheMediansIsNamed) {
+  MadeStore made;
+  made.add("plate", "a", 0, {{5, 2.0}}, 20.0);
+  made.add("plate", "b", 0, {{5, 10.0}}, 20.0);
+  for (int r = 1; r < 12; ++r) {
+    made.add("plate", "a", r, {{5, 2.0 + 0.41 * r}}, 20.0 + r);
+    made.add("plate", "b", r, {{5, 2.0 + 0.4 * r}}, 20.0 + r);
+  }
+  const ReportData data = collect_one(made);
+  const AnswerRow row = answer_rows(data.answer.verdicts, data.answer.scope, "G").front();
+  EXPECT_EQ(row.take, "a");
+  EXPECT_EQ(row.ties, "b (a test finds it better: p = 0.034)");
+  EXPECT_EQ(count(report_html(data), "medians and test disagree"), 1u);
+}
+
 TEST(Answer, StandsFirstOnThePageAndInAFewLinesOnTheTerminal) {
   MadeStore made;
   race(made, "plate");
