@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <nodal/statistics/anytime.h>
 
@@ -63,6 +64,30 @@ void keep_between(const std::array<double, 2>& ends, std::vector<ChartPoint>& po
   points.back().x = ends[1];
 }
 
+// Of all three shares at every cost at which one of them gets better.
+std::vector<ChartPoint> attained_points(const std::vector<statistics::History>& attained, double factor) {
+  std::vector<double> costs;
+  for (const statistics::History& surface : attained)
+    for (const statistics::BestSoFar& point : surface) costs.push_back(point.cost);
+  std::ranges::sort(costs);
+  costs.erase(std::unique(costs.begin(), costs.end()), costs.end());
+  std::vector<ChartPoint> points;
+  for (const double cost : costs) {
+    const auto height = [&](std::size_t share) { return factor * statistics::quality_at(attained[share], cost); };
+    if (const double half = height(1); std::isfinite(half)) points.push_back({cost, half, height(0), height(2)});
+  }
+  return points;
+}
+
+std::string without_line_text(const LineChart& chart) {
+  std::vector<std::string> names;
+  for (const ChartLine& line : chart.lines)
+    if (line.points.empty()) names.push_back(line.label);
+  return names.empty() ? ""
+                       : fmt::format(" Without a line, because more than half of the trials have no result: {}.",
+                                     fmt::join(names, ", "));
+}
+
 }  // namespace
 
 LineChart attainment_chart(const ProblemReport& problem, const ProblemConvergence& convergence, Axis axis) {
@@ -74,19 +99,13 @@ LineChart attainment_chart(const ProblemReport& problem, const ProblemConvergenc
   chart.y = {up, Scale::logarithmic};
   chart.y.clamped_to = {kSmallestShown, kLargestShown};
   for (const ConvergenceFigures& figures : convergence.optimizers) {
-    const auto& [quarter, half, most] = figures.attained[static_cast<std::size_t>(axis)];
     ChartLine& line = chart.lines.emplace_back(line_named(figures.optimizer, problem.table));
     line.steps = line.band = true;
-    for (const statistics::BestSoFar& point : half) {
-      const double lower = statistics::quality_at(quarter, point.cost),
-                   upper = statistics::quality_at(most, point.cost);
-      if (std::isfinite(upper))
-        line.points.push_back({point.cost, factor * point.quality, factor * lower, factor * upper});
-    }
+    line.points = attained_points(figures.attained[static_cast<std::size_t>(axis)], factor);
     keep_between(ends_in_race(problem, figures.optimizer, axis), line.points);
   }
   chart.description = "Attained by half of the trials, with a band from a quarter to three quarters of them. " +
-                      ends_text(chart, false);
+                      ends_text(chart, false) + without_line_text(chart);
   return chart;
 }
 

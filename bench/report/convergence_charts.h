@@ -13,7 +13,8 @@
 namespace nodal::report {
 
 /// Best quality that half of an optimizer's trials had attained at a cost, as a line, between what a quarter and three
-/// quarters had, as a band. Unlike the race's median it falls only where trials do. Empty lines without trials.
+/// quarters had, as a band: one without an upper end where these have nothing yet. Unlike the race's median it falls
+/// only where trials do. Lines of whom fewer than half have anything are empty; the description names them.
 [[nodiscard]] LineChart attainment_chart(const ProblemReport& problem, const ProblemConvergence& convergence,
                                          Axis axis);
 

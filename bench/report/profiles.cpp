@@ -73,13 +73,6 @@ std::string warning_of(const std::vector<std::string>& names, const statistics::
       found->factor, names[found->first], names[found->second], names[found->left_out]);
 }
 
-std::vector<statistics::Step> thinned(const std::vector<statistics::Step>& steps) {
-  if (steps.size() <= kCurvePoints) return steps;
-  std::vector<statistics::Step> kept;
-  for (std::size_t i = 0; i < kCurvePoints; ++i) kept.push_back(steps[i * (steps.size() - 1) / (kCurvePoints - 1)]);
-  return kept;
-}
-
 // Of an optimizer's column of costs: each over the least of its row, or as it is.
 std::vector<statistics::Step> steps_of(const statistics::Matrix& costs, std::size_t column, bool over_least) {
   std::vector<statistics::RunLength> lengths;
@@ -87,7 +80,7 @@ std::vector<statistics::Step> steps_of(const statistics::Matrix& costs, std::siz
     const double unit = over_least ? std::ranges::min(row) : 1.0, cost = row[column];
     lengths.push_back({cost < kNever ? std::optional(cost == unit ? 1.0 : cost / unit) : std::nullopt, 0.0});
   }
-  return thinned(statistics::distribution(lengths));
+  return statistics::distribution(lengths);
 }
 
 std::vector<statistics::Step> reached_by(std::span<const ProblemConvergence> problems, const std::string& name,
@@ -97,7 +90,7 @@ std::vector<statistics::Step> reached_by(std::span<const ProblemConvergence> pro
     for (const ConvergenceFigures& figures : problem.optimizers)
       if (figures.optimizer == name)
         lengths.insert(lengths.end(), figures.lengths[axis].begin(), figures.lengths[axis].end());
-  return thinned(statistics::distribution(lengths));
+  return statistics::distribution(lengths);
 }
 
 bool same_everywhere(std::span<const ProblemConvergence> problems, Axis a, Axis b) {

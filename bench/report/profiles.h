@@ -23,9 +23,9 @@ struct Profiles {
   std::vector<double> factors, costs;    ///< where the two profiles are told: factors from 1 on, costs 1, 2, 5, 10, …
   statistics::Matrix performance, data;  ///< [optimizers][factors], [optimizers][costs]
   std::string warning;                   ///< in words: whose order in the performance profile hangs on whom; or empty
-  /// The same as they are drawn, at every expected cost: [optimizers], at most kCurvePoints steps each.
+  /// The same as they are drawn, at every expected cost: [optimizers].
   std::vector<std::vector<statistics::Step>> performance_steps, data_steps;
-  /// Share of trials × targets reached within a cost, over all problems: at most as many steps.
+  /// Share of trials × targets reached within a cost, over all problems.
   std::vector<std::vector<statistics::Step>> reached;
 };
 

@@ -11,6 +11,8 @@
 #include <nodal/merge.h>
 #include <nodal/provenance.h>
 
+#include "chart/line_chart.h"
+
 namespace nodal::report {
 
 namespace {
@@ -136,9 +138,9 @@ OptimizerCurves curves_of(const std::string& optimizer, MakeCurve make) {
 }
 
 void add_curves(const std::string& optimizer, std::span<const TrialRecord* const> trials, ProblemReport& report) {
-  report.curves.push_back(curves_of(optimizer, [&](Axis axis) { return make_curve(trials, axis, kCurvePoints); }));
+  report.curves.push_back(curves_of(optimizer, [&](Axis axis) { return make_curve(trials, axis, kMostChartPoints); }));
   OptimizerCurves unseen =
-      curves_of(optimizer, [&](Axis axis) { return make_unseen_curve(trials, axis, kCurvePoints); });
+      curves_of(optimizer, [&](Axis axis) { return make_unseen_curve(trials, axis, kMostChartPoints); });
   if (!unseen.by_axis[0].empty()) report.unseen_curves.push_back(std::move(unseen));
 }
 

@@ -57,29 +57,15 @@ std::optional<statistics::Interval> interval_of(const std::vector<statistics::Ru
   return statistics::bootstrap_running_time(lengths, hash64(name), kResamples);
 }
 
-statistics::History gaps_of(const statistics::History& qualities, double start, const ProblemReference& reference) {
+// What starts at the best has no gap to close.
+double area_of(const statistics::History& qualities, const PointSummary& start, const ProblemReference& reference,
+               const statistics::AnytimeLimits& limits) {
+  if (!start.quality) return 0.0;
+  const double unit = *start.quality - reference.best_quality;
+  if (starts_at_best(start, reference) || !(unit > 0.0)) return 1.0;
   statistics::History gaps = qualities;
-  const double unit = start - reference.best_quality;
-  for (statistics::BestSoFar& point : gaps)
-    point.quality = unit > 0.0 ? (point.quality - reference.best_quality) / unit : 0.0;
-  return gaps;
-}
-
-// Points evenly spaced in the logarithm of costs: the last before each place, and the very last.
-statistics::History thinned(const statistics::History& history) {
-  if (history.size() <= kCurvePoints) return history;
-  const auto positive = std::ranges::find_if(history, [](const statistics::BestSoFar& p) { return p.cost > 0.0; });
-  const double first = std::log(positive->cost), last = std::log(history.back().cost);
-  statistics::History kept = {history.front()};
-  for (std::size_t i = 1; i < kCurvePoints; ++i) {
-    const double place =
-        std::exp(first + (last - first) * static_cast<double>(i) / static_cast<double>(kCurvePoints - 1));
-    const auto after = std::ranges::partition_point(
-        history, [place](const statistics::BestSoFar& point) { return point.cost <= place; });
-    const statistics::BestSoFar& point = i + 1 == kCurvePoints ? history.back() : *std::prev(after);
-    if (point.cost > kept.back().cost) kept.push_back(point);
-  }
-  return kept;
+  for (statistics::BestSoFar& point : gaps) point.quality = (point.quality - reference.best_quality) / unit;
+  return statistics::area_over_convergence(gaps, limits);
 }
 
 // Everything about one problem that does not depend on the optimizer.
@@ -116,13 +102,16 @@ void add_curves(const Frame& frame, const Trials& trials, Axis axis, Convergence
   double areas = 0.0;
   for (const TrialRecord* trial : counting(trials, axis)) {
     histories.push_back(quality_history(*trial, axis));
-    if (limits && trial->start.quality)
-      areas += statistics::area_over_convergence(
-          gaps_of(histories.back(), *trial->start.quality, frame.table.reference), *limits);
+    if (limits) areas += area_of(histories.back(), trial->start, frame.table.reference, *limits);
   }
   if (limits && !histories.empty()) figures.area[at(axis)] = areas / static_cast<double>(histories.size());
-  for (std::size_t share = 0; share < kAttainedShares.size(); ++share)
-    figures.attained[at(axis)][share] = thinned(statistics::attainment_surface(histories, kAttainedShares[share]));
+  figures.attained[at(axis)] = statistics::attainment_surfaces(histories, kAttainedShares);
+}
+
+bool has_gaps(const Contest& contest) {
+  return !contest.reference.unimproved || std::ranges::any_of(contest.trials, [&](const TrialRecord* trial) {
+    return starts_at_best(trial->start, contest.reference);
+  });
 }
 
 std::optional<statistics::AnytimeLimits> limits_of(Axis axis, double to, double least_gap) {
@@ -166,12 +155,13 @@ ProblemConvergence converge(const Contest& contest, const ProblemTable& table, s
   for (const double gap : kTargetGaps)
     if (gap < found.least_gap) found.refused.push_back(gap);
   Frame frame{contest, table, found, {}};
+  const bool gaps = has_gaps(contest);
   for (const Axis axis : kAxes) {
     const double longest = frame.longest[at(axis)] = longest_end(contest, axis);
     const std::optional<double> budget = axis == Axis::seconds       ? seconds
                                          : axis == Axis::evaluations ? evaluations
                                                                      : std::nullopt;
-    found.limits[at(axis)] = limits_of(axis, budget.value_or(longest), found.least_gap);
+    if (gaps) found.limits[at(axis)] = limits_of(axis, budget.value_or(longest), found.least_gap);
   }
   for (const OptimizerRow& row : table.rows) {
     const Trials trials = trials_of(contest, row.label);

@@ -125,16 +125,42 @@ TEST(Convergence, HasSurfacesAndRunLengths) {
   EXPECT_EQ(figures.lengths[kEvaluations].size(), 2u * 5u);
 }
 
-TEST(Convergence, ThinsLongCurvesButKeepsTheirEnds) {
+// A third of a thousand steps is passed after a third of them: nothing between is left out.
+TEST(Convergence, SurfacesAreWhole) {
   Race race;
-  std::vector<std::pair<std::int64_t, double>> way;
-  for (int i = 1; i <= 1000; ++i) way.emplace_back(i, 11.0 - 0.01 * i);
-  race.add(trial("a", 0, way, 1000));
-  const statistics::History curve = converge_of(race).optimizers.at(0).attained[kEvaluations][1];
-  EXPECT_LE(curve.size(), kCurvePoints);
-  EXPECT_GT(curve.size(), kCurvePoints / 2);
-  EXPECT_DOUBLE_EQ(curve.front().quality, 11.0);
-  EXPECT_DOUBLE_EQ(curve.back().cost, 1000.0);
+  for (int repeat = 0; repeat < 4; ++repeat) {
+    std::vector<std::pair<std::int64_t, double>> way;
+    for (int i = 1; i <= 1000; ++i) way.emplace_back((repeat + 1) * i, 11.0 - 0.01 * i);
+    race.add(trial("a", repeat, way, 4000));
+  }
+  const std::vector<statistics::History> attained = converge_of(race).optimizers.at(0).attained[kEvaluations];
+  ASSERT_EQ(attained.size(), kAttainedShares.size());
+  for (std::size_t share = 0; share < attained.size(); ++share) {
+    EXPECT_EQ(attained[share].size(), 1001u);
+    EXPECT_DOUBLE_EQ(statistics::quality_at(attained[share], 333.0 * static_cast<double>(share + 1)), 11.0 - 3.33);
+  }
+}
+
+TEST(Convergence, NobodyImprovedHasNoArea) {
+  Race race;
+  race.add(trial("a", 0, {}));
+  Contest contest = race.contest();
+  const std::vector<TrialRecord> records(race.records.begin(), race.records.end());
+  const ProblemTable table = make_table("p", {}, race.optimizers, records);
+  contest.reference = table.reference;
+  ASSERT_TRUE(table.reference.unimproved);
+  const ProblemConvergence found = converge(contest, table);
+  for (const auto& limits : found.limits) EXPECT_FALSE(limits);
+  for (const auto& area : found.optimizers.at(0).area) EXPECT_FALSE(area);
+}
+
+// 11 is all that there is to reach: everything is at the smallest gap from the first cost on.
+TEST(Convergence, WhatStartsAtTheBestHasTheWholeArea) {
+  Race race;
+  race.best = 11.0;
+  race.add(trial("a", 0, {}));
+  EXPECT_EQ(*converge_of(race).optimizers.at(0).area[kEvaluations], 1.0);
+  EXPECT_EQ(*converge_of(race).optimizers.at(0).area[kSeconds], 1.0);
 }
 
 TEST(Convergence, OfNothingThereIsNothing) {

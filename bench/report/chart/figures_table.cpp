@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "figures_table.h"
 
+#include <cmath>
+
 #include <fmt/format.h>
 
 #include <nodal/show/html.h>
@@ -20,7 +22,7 @@ std::string cell(const ChartLine& line, double x, const LineChart& chart) {
   if (!p) return "<td>–</td>";
   if (!line.band || p->lower == p->upper) return fmt::format("<td>{}</td>", figure_text(p->y, kFigures));
   return fmt::format("<td>{}<br><small>{} to {}</small></td>", figure_text(p->y, kFigures),
-                     figure_text(p->lower, kFigures), figure_text(p->upper, kFigures));
+                     figure_text(p->lower, kFigures), std::isfinite(p->upper) ? figure_text(p->upper, kFigures) : "–");
 }
 
 }  // namespace

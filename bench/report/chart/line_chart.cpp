@@ -9,6 +9,8 @@ namespace nodal::report {
 
 namespace {
 
+constexpr double kEndless = std::numeric_limits<double>::infinity();
+
 bool has_place(double value, const ChartAxis& axis) {
   return std::abs(value) <= kLargestDrawn &&
          (axis.scale == Scale::linear || axis.clamped_to || value >= 1.0 / kLargestDrawn);
@@ -19,25 +21,23 @@ double clamped(double value, const ChartAxis& axis) {
 }
 
 ChartPoint clamped(const ChartPoint& p, const LineChart& chart) {
-  return {clamped(p.x, chart.x), clamped(p.y, chart.y), clamped(p.lower, chart.y), clamped(p.upper, chart.y)};
+  const double upper = std::isinf(p.upper) ? p.upper : clamped(p.upper, chart.y);
+  return {clamped(p.x, chart.x), clamped(p.y, chart.y), clamped(p.lower, chart.y), upper};
 }
 
 std::vector<ChartPoint> drawable_points(const std::vector<ChartPoint>& all, const LineChart& chart) {
   std::vector<ChartPoint> points;
   for (const ChartPoint& p : all)
     if (has_place(p.x, chart.x) && has_place(p.y, chart.y) && has_place(p.lower, chart.y) &&
-        has_place(p.upper, chart.y))
+        (has_place(p.upper, chart.y) || p.upper == kEndless))
       points.push_back(clamped(p, chart));
-  if (points.size() <= kMostChartPoints) return points;
-  std::vector<ChartPoint> thinned;
-  for (std::size_t i = 0; i < kMostChartPoints; ++i)
-    thinned.push_back(points[i * (points.size() - 1) / (kMostChartPoints - 1)]);
-  return thinned;
+  return points;
 }
 
 struct Extent {
-  double low = std::numeric_limits<double>::infinity(), high = -std::numeric_limits<double>::infinity();
+  double low = kEndless, high = -kEndless;
   void take(double value) {
+    if (value == kEndless) return;
     low = std::min(low, value);
     high = std::max(high, value);
   }
@@ -81,6 +81,25 @@ double share_of(double a, double b, double x, Scale scale) {
   return scale == Scale::linear ? (x - a) / (b - a) : std::log(x / a) / std::log(b / a);
 }
 
+constexpr std::size_t kLast = kMostChartPoints - 1;
+
+std::vector<ChartPoint> every_so_many(const std::vector<ChartPoint>& points) {
+  std::vector<ChartPoint> kept;
+  for (std::size_t i = 0; i <= kLast; ++i) kept.push_back(points[i * (points.size() - 1) / kLast]);
+  return kept;
+}
+
+std::vector<ChartPoint> every_so_far(const std::vector<ChartPoint>& points, Scale scale) {
+  std::vector<ChartPoint> kept = {points.front()};
+  for (std::size_t i = 1; i < kLast; ++i) {
+    const double place = between(points.front().x, points.back().x, static_cast<double>(i) / kLast, scale);
+    const ChartPoint& before = *std::prev(std::ranges::upper_bound(points, place, {}, &ChartPoint::x));
+    if (before.x > kept.back().x) kept.push_back(before);
+  }
+  kept.push_back(points.back());
+  return kept;
+}
+
 }  // namespace
 
 LineChart drawable(LineChart chart) {
@@ -90,6 +109,11 @@ LineChart drawable(LineChart chart) {
   if (chart.rule) chart.rule->y = clamped(chart.rule->y, chart.y);
   set_limits(chart);
   return chart;
+}
+
+std::vector<ChartPoint> thinned(const ChartLine& line, const ChartAxis& across) {
+  if (line.points.size() <= kMostChartPoints) return line.points;
+  return line.steps ? every_so_far(line.points, across.scale) : every_so_many(line.points);
 }
 
 std::optional<ChartPoint> point_at(const ChartLine& line, double x, const ChartAxis& across, const ChartAxis& up) {

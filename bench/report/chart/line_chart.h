@@ -12,7 +12,7 @@
 
 namespace nodal::report {
 
-/// More than a picture can show; of longer lines evenly many points are drawn, the first and the last always.
+/// More than a picture can show.
 inline constexpr std::size_t kMostChartPoints = 40;
 
 /// What lies beyond was never measured, and powers of it overflow on the way to an axis.
@@ -28,7 +28,7 @@ struct ChartAxis {
   std::optional<std::array<double, 2>> clamped_to = {};  ///< figures beyond are drawn, and told, at these
 };
 
-/// lower and upper are y where nothing is known of the spread.
+/// lower and upper are y where nothing is known of the spread; an upper of +∞ is a band without an upper end.
 struct ChartPoint {
   double x = 0.0, y = 0.0, lower = 0.0, upper = 0.0;
 };
@@ -62,6 +62,10 @@ struct LineChart {
 /// The chart as it can be drawn: without points that an axis has no place for (no numbers; on a logarithmic axis zeros)
 /// and without lines that have none left, figures clamped, limits set.
 [[nodiscard]] LineChart drawable(LineChart chart);
+
+/// At most kMostChartPoints of a drawable line, the first and the last always: every so many of them; of one of steps
+/// the last before each of as many places evenly along the axis, where it is as high as the whole line then.
+[[nodiscard]] std::vector<ChartPoint> thinned(const ChartLine& line, const ChartAxis& across);
 
 /// The height of a line at x: of the last point before it where the line is one of steps, or x is beyond its end; else
 /// between two points, straight as it is drawn. Empty before its first point.

@@ -33,6 +33,7 @@ std::string label_of(const ChartLine& line) {
 class Drawn {
  public:
   Drawn(const LineChart& chart, std::string_view id) : chart_(drawable(chart)), id_(id), width_(chart.size[0]) {
+    for (ChartLine& line : chart_.lines) line.points = thinned(line, chart_.x);
     double widest = 0.0;
     if (chart_.named)
       for (const ChartLine& line : chart_.lines) widest = std::max(widest, text_width(label_of(line), kLabelFont));

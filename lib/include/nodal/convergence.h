@@ -39,22 +39,21 @@ struct TargetFigures {
 
 struct ConvergenceFigures {
   std::string optimizer;
-  std::vector<TargetFigures> targets;                  ///< without those that are refused
-  ByAxis<std::optional<double>> area;                  ///< AOCC, mean over trials; empty without limits
+  std::vector<TargetFigures> targets;  ///< without those that are refused
+  /// AOCC, mean over trials: 1 for one that starts at the best already. Empty without limits.
+  ByAxis<std::optional<double>> area;
   ByAxis<std::vector<statistics::RunLength>> lengths;  ///< of trials × targets, for their distribution
-  /// Attained by a quarter, half and three quarters of the trials, at most kCurvePoints each.
-  ByAxis<std::array<statistics::History, 3>> attained;
+  ByAxis<std::vector<statistics::History>> attained;   ///< by each of the kAttainedShares, whole
 };
 inline constexpr std::array<double, 3> kAttainedShares = {0.25, 0.5, 0.75};
-/// Of a curve: more than a chart can show only make a page large.
-inline constexpr std::size_t kCurvePoints = 40;
 
 struct ProblemConvergence {
   std::string problem;
   double least_gap = 0.0;  ///< that is a target
   std::vector<double> refused;
   /// Between which areas are taken: gaps from 1 down to 1e-8, or to `least_gap` where that is larger; the last four
-  /// decades of seconds, from 1 on for counts. To the budget, or the longest trial's end. Empty where that isn't more.
+  /// decades of seconds, from 1 on for counts. To the budget, or the longest trial's end. Empty where that isn't more,
+  /// and where nobody improved a start: gaps to G* mean nothing then.
   ByAxis<std::optional<statistics::AnytimeLimits>> limits;
   std::vector<ConvergenceFigures> optimizers;  ///< those with trials, in the order asked for
 };

@@ -9,6 +9,32 @@
 
 namespace nodal::statistics {
 
+namespace {
+
+// The surface of a share is the k-th best of the histories' qualities, from 0.
+std::size_t rank_of(double share, std::size_t histories) {
+  if (!(share > 0.0 && share <= 1.0)) throw std::invalid_argument("statistics: a share lies in (0, 1]");
+  constexpr double kRounding = 1e-9;  // 0.3 · 10 is 3 histories, not 4
+  const double least = std::max(1.0, std::ceil(share * static_cast<double>(histories) - kRounding));
+  return static_cast<std::size_t>(least) - 1;
+}
+
+struct Improvement {
+  double cost, quality;
+  std::size_t history;
+};
+
+// Of all histories, by cost.
+std::vector<Improvement> improvements_of(std::span<const History> histories) {
+  std::vector<Improvement> improvements;
+  for (std::size_t h = 0; h < histories.size(); ++h)
+    for (const BestSoFar& point : histories[h]) improvements.push_back({point.cost, point.quality, h});
+  std::ranges::stable_sort(improvements, {}, &Improvement::cost);
+  return improvements;
+}
+
+}  // namespace
+
 double quality_at(const History& history, double cost) {
   const auto later =
       std::ranges::partition_point(history, [cost](const BestSoFar& point) { return point.cost <= cost; });
@@ -23,31 +49,28 @@ double attainment(std::span<const History> histories, double cost, double qualit
 }
 
 History attainment_surface(std::span<const History> histories, double share) {
-  if (!(share > 0.0 && share <= 1.0)) throw std::invalid_argument("statistics: a share lies in (0, 1]");
-  if (histories.empty()) return {};
-  std::vector<double> costs;
-  for (const History& history : histories)
-    for (const BestSoFar& point : history) costs.push_back(point.cost);
-  std::ranges::sort(costs);
-  costs.erase(std::unique(costs.begin(), costs.end()), costs.end());
+  return attainment_surfaces(histories, {&share, 1}).front();
+}
 
-  // The k-th best of the histories' qualities, as they fall one by one.
-  constexpr double kRounding = 1e-9;  // 0.3 · 10 is 3 histories, not 4
-  const double least = std::max(1.0, std::ceil(share * static_cast<double>(histories.size()) - kRounding));
-  const auto k = static_cast<std::size_t>(least) - 1;
-  std::vector<std::size_t> next(histories.size(), 0);
-  std::vector<double> now(histories.size(), kNever), sorted;
-  History surface;
-  for (const double cost : costs) {
-    for (std::size_t h = 0; h < histories.size(); ++h)
-      for (; next[h] < histories[h].size() && histories[h][next[h]].cost <= cost; ++next[h])
-        now[h] = histories[h][next[h]].quality;
-    sorted = now;
-    std::ranges::nth_element(sorted, sorted.begin() + static_cast<std::ptrdiff_t>(k));
-    const double quality = sorted[k];
-    if (quality < kNever && (surface.empty() || quality < surface.back().quality)) surface.push_back({cost, quality});
+std::vector<History> attainment_surfaces(std::span<const History> histories, std::span<const double> shares) {
+  std::vector<std::size_t> ranks;
+  for (const double share : shares) ranks.push_back(rank_of(share, histories.size()));
+  std::vector<History> surfaces(shares.size());
+  if (histories.empty()) return surfaces;
+  const std::vector<Improvement> improvements = improvements_of(histories);
+  std::vector<double> now(histories.size(), kNever), sorted = now;
+  for (std::size_t i = 0; i < improvements.size(); ++i) {
+    const auto [cost, quality, history] = improvements[i];
+    sorted.erase(std::ranges::lower_bound(sorted, now[history]));
+    sorted.insert(std::ranges::lower_bound(sorted, quality), quality);
+    now[history] = quality;
+    if (i + 1 < improvements.size() && improvements[i + 1].cost == cost) continue;
+    for (std::size_t s = 0; s < surfaces.size(); ++s)
+      if (const double best = sorted[ranks[s]];
+          best < kNever && (surfaces[s].empty() || best < surfaces[s].back().quality))
+        surfaces[s].push_back({cost, best});
   }
-  return surface;
+  return surfaces;
 }
 
 double area_over_convergence(const History& gaps, const AnytimeLimits& limits) {

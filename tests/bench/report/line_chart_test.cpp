@@ -122,10 +122,43 @@ TEST(LineChart, ClampsAndThins) {
   LineChart all = chart({falling});
   all.y.clamped_to = {1e-9, 1.0};
   const LineChart drawn = drawable(all);
-  ASSERT_EQ(drawn.lines[0].points.size(), kMostChartPoints);
-  EXPECT_EQ(drawn.lines[0].points.front().x, 1.0);
-  EXPECT_EQ(drawn.lines[0].points.back().x, 1000.0);
-  EXPECT_EQ(drawn.lines[0].points.back().y, 1e-9);
+  const std::vector<ChartPoint> few = thinned(drawn.lines[0], drawn.x);
+  ASSERT_EQ(few.size(), kMostChartPoints);
+  EXPECT_EQ(few.front().x, 1.0);
+  EXPECT_EQ(few.back().x, 1000.0);
+  EXPECT_EQ(few.back().y, 1e-9);
+}
+
+// At evenly many places along the axis they are as high as all steps; what figures are told from is all of them.
+TEST(LineChart, ThinsStepsAlongTheAxis) {
+  ChartLine steps{.label = "a", .steps = true};
+  for (int i = 1; i <= 999; ++i) steps.points.push_back({static_cast<double>(i), 1.0 / i, 0.5 / i, 2.0 / i});
+  const LineChart drawn = drawable(chart({steps}));
+  EXPECT_EQ(drawn.lines[0].points.size(), 999u);
+  ChartLine few = drawn.lines[0];
+  few.points = thinned(drawn.lines[0], drawn.x);
+  EXPECT_LE(few.points.size(), kMostChartPoints);
+  EXPECT_EQ(few.points.back().x, 999.0);
+  for (int i = 0; i < 39; ++i) {
+    const double place = std::pow(999.0, i / 39.0) * (1.0 + 1e-12);
+    EXPECT_EQ(point_at(few, place, drawn.x, drawn.y)->y, point_at(drawn.lines[0], place, drawn.x, drawn.y)->y) << place;
+  }
+  EXPECT_NE(figures_table(chart({steps})).find("<td>0.0100</td>"), std::string::npos);
+}
+
+TEST(LineChart, ABandMayHaveNoUpperEnd) {
+  ChartLine open = line("a", {{1.0, 1.0}, {100.0, 0.5}});
+  open.steps = open.band = true;
+  open.points[0].upper = std::numeric_limits<double>::infinity();
+  LineChart all = chart({open});
+  all.y.clamped_to = {1e-9, 1e50};
+  const LineChart drawn = drawable(all);
+  ASSERT_EQ(drawn.lines.at(0).points.size(), 2u);
+  EXPECT_LT((*drawn.y.limits)[1], 2.0);
+  EXPECT_EQ(count(svg_chart(all, "here"), "class=\"band\""), 1u);
+  EXPECT_EQ(count(svg_chart(all, "here"), "inf"), 0u);
+  EXPECT_NE(figures_table(all).find("<td>1.00<br><small>1.00 to –</small></td>"), std::string::npos)
+      << figures_table(all);
 }
 
 TEST(LineChart, TellsTheHeightAtAPlace) {

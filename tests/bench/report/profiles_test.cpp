@@ -73,6 +73,21 @@ TEST(Profiles, WarnWhereAThirdDecides) {
       << warning;
 }
 
+// 1,000 run lengths of 1, 2, 3, …: 20 of them within 20.
+TEST(Profiles, RunLengthsAreToldOfAllSteps) {
+  std::vector<ProblemConvergence> problems = {problem_of({{20.0}})};
+  std::vector<statistics::RunLength>& lengths = problems[0].optimizers[0].lengths[kEvaluations];
+  lengths.clear();
+  for (int i = 1; i <= 1000; ++i) lengths.push_back({static_cast<double>(i), 1000.0});
+  const Profiles profiles = make_profiles(problems).at(0);
+  EXPECT_EQ(profiles.reached.at(0).size(), 1000u);
+  EXPECT_EQ(profiles.costs, (std::vector<double>{10, 20}));
+  const std::string page = profiles_html(profiles, {});
+  const std::size_t table = page.find("The run lengths as a table");
+  ASSERT_NE(table, std::string::npos);
+  EXPECT_NE(page.find("<td>0.01</td><td>0.02</td>", table), std::string::npos) << page.substr(table);
+}
+
 TEST(Profiles, OfNothingThereAreNone) {
   EXPECT_TRUE(make_profiles({}).empty());
   const std::vector<ProblemConvergence> never = {problem_of({{{}, {}}})};
@@ -120,6 +135,60 @@ TEST(Profiles, AttainedIsDrawnBetweenAQuarterAndThreeQuarters) {
   EXPECT_EQ(at(20.0).y, 0.25);
   EXPECT_EQ(at(20.0).lower, 0.25);
   EXPECT_EQ(at(20.0).upper, 1.0);
+}
+
+// Of six trials half have died: three quarters attain nothing, half the worst of the others.
+TEST(Profiles, AttainedKeepsALineWhereTrialsDied) {
+  MadeStore made;
+  for (int repeat = 0; repeat < 6; ++repeat) {
+    made.add("p", "fragile", repeat, {{5, 1.0 + repeat}});
+    made.add("p", "broken", repeat, {{5, 1.0}});
+    made.add("p", "sound", repeat, {{5, 2.0}});
+  }
+  for (TrialRecord& record : made.records()) {
+    if (record.optimizer == "sound" || record.repeat < (record.optimizer == "broken" ? 1 : 3)) continue;
+    record.end = End::crashed;
+    record.start = {};
+    record.best = {};
+    record.trace.clear();
+  }
+  std::vector<Store> stores;
+  stores.push_back(made.write());
+  const ReportData data = collect(stores, Registry());
+  const LineChart chart = attainment_chart(data.problems[0], data.convergence[0], Axis::evaluations);
+  const auto fragile = std::ranges::find(chart.lines, "fragile", &ChartLine::label);
+  const ChartPoint end = point_at(*fragile, 100.0, chart.x, chart.y).value();
+  EXPECT_EQ(end.y, 0.75);
+  EXPECT_EQ(end.lower, 0.5);
+  EXPECT_EQ(end.upper, std::numeric_limits<double>::infinity());
+  EXPECT_TRUE(std::ranges::find(chart.lines, "broken", &ChartLine::label)->points.empty());
+  EXPECT_TRUE(
+      chart.description.ends_with(" Without a line, because more than half of the trials have no result: broken."))
+      << chart.description;
+}
+
+// Many steps in one place, and three surfaces that step where the others don't.
+TEST(Profiles, AttainedIsWhatTrialsHaveAtEveryCost) {
+  MadeStore made;
+  for (int repeat = 0; repeat < 8; ++repeat) {
+    std::vector<std::pair<std::int64_t, double>> way;
+    for (int i = 1; i <= 300; ++i) way.emplace_back(i * (repeat + 1) + i * i / 97, 4.0 * std::pow(0.985, i));
+    made.add("p", "a", repeat, way);
+  }
+  std::vector<Store> stores;
+  stores.push_back(made.write());
+  const ReportData data = collect(stores, Registry());
+  const LineChart chart = drawable(attainment_chart(data.problems[0], data.convergence[0], Axis::evaluations));
+  for (const double cost : {2.0, 5.0, 10.0, 50.0, 100.0, 333.0, 1000.0, 2000.0}) {
+    std::vector<double> all;
+    for (const TrialRecord& record : made.records())
+      all.push_back(statistics::quality_at(quality_history(record, Axis::evaluations), cost) / 4.0);
+    std::ranges::sort(all);
+    const ChartPoint found = point_at(chart.lines.at(0), cost, chart.x, chart.y).value();
+    EXPECT_DOUBLE_EQ(found.lower, all[1]) << cost;
+    EXPECT_DOUBLE_EQ(found.y, all[3]) << cost;
+    EXPECT_DOUBLE_EQ(found.upper, all[5]) << cost;
+  }
 }
 
 // From the race's left end, where evaluation 0 stands, to its right one; also where nothing is ever improved.

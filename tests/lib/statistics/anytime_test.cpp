@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include <nodal/statistics/anytime.h>
@@ -44,6 +45,23 @@ TEST(Anytime, SurfacesAreKthBestQualities) {
   EXPECT_TRUE(attainment_surface({}, 0.5).empty());
   EXPECT_TRUE(attainment_surface(std::vector<History>(2), 0.5).empty());
   EXPECT_THROW((void)attainment_surface(kThree, 0.0), std::invalid_argument);
+}
+
+// As they are defined, of histories in which costs and qualities coincide.
+TEST(Anytime, SeveralSurfacesAtOnceAreThoseOfEach) {
+  const std::vector<History> histories = {
+      {{0.0, 9.0}, {2.0, 5.0}, {7.0, 1.0}}, {{0.0, 9.0}, {2.0, 4.0}, {3.0, 1.0}}, {{1.0, 5.0}, {2.0, 4.0}}, {}};
+  const std::vector<double> shares = {0.25, 0.5, 0.75, 1.0};
+  const std::vector<History> surfaces = attainment_surfaces(histories, shares);
+  ASSERT_EQ(surfaces.size(), shares.size());
+  for (std::size_t s = 0; s < shares.size(); ++s)
+    for (const double cost : {0.0, 0.5, 1.0, 2.0, 3.0, 5.0, 7.0, 9.0}) {
+      std::vector<double> all;
+      for (const History& history : histories) all.push_back(quality_at(history, cost));
+      std::ranges::sort(all);
+      EXPECT_EQ(quality_at(surfaces[s], cost), all[s]) << shares[s] << " at " << cost;
+    }
+  EXPECT_TRUE(surfaces[3].empty());
 }
 
 // On every surface the share of trials that are there is at least its own, and just before it, or just below, less.

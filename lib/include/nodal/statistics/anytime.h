@@ -31,8 +31,11 @@ using History = std::vector<BestSoFar>;
 
 /// The surface attained by a share of at least `share` in (0, 1] of the histories: the best quality q(cost) with
 /// α(cost, q) ≥ share, as a history. Without interpolation: some trial was there.
-/// Cost     histories × points of all.
+/// Cost     points of all, sorted.
 [[nodiscard]] History attainment_surface(std::span<const History> histories, double share);
+/// Those of several shares, in their order, for the cost of one.
+[[nodiscard]] std::vector<History> attainment_surfaces(std::span<const History> histories,
+                                                       std::span<const double> shares);
 
 /// Where convergence is looked at: from cost to cost, gaps from `largest` down to `smallest`.
 struct AnytimeLimits {
