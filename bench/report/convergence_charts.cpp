@@ -19,11 +19,6 @@ namespace {
 constexpr std::array<double, 2> kShares = {0.0, 1.0};
 constexpr double kSmallestShown = 1e-16, kLargestShown = 1e150;  // beyond, a figure is rounding, or none
 
-ChartLine line_named(const std::string& optimizer, const ProblemTable& table) {
-  const auto row = std::ranges::find(table.rows, optimizer, &OptimizerRow::label);
-  return {optimizer, line_place(table, optimizer), row != table.rows.end() && row->baseline};
-}
-
 LineChart share_chart(std::string title, std::string across, bool seconds, const Profiles& profiles,
                       const std::vector<std::vector<statistics::Step>>& steps,
                       const std::vector<ProblemReport>& problems) {
@@ -33,11 +28,7 @@ LineChart share_chart(std::string title, std::string across, bool seconds, const
   chart.y = {"share", Scale::linear, false, kShares};
   for (std::size_t i = 0; i < profiles.optimizers.size(); ++i) {
     const std::string& name = profiles.optimizers[i];
-    const auto with = std::ranges::find_if(problems, [&](const ProblemReport& problem) {
-      return std::ranges::find(problem.table.rows, name, &OptimizerRow::label) != problem.table.rows.end();
-    });
-    ChartLine& line =
-        chart.lines.emplace_back(with == problems.end() ? ChartLine{name, i} : line_named(name, with->table));
+    ChartLine& line = chart.lines.emplace_back(problems.empty() ? ChartLine{name, i} : line_named(problems[0], name));
     line.steps = true;
     for (const statistics::Step& step : steps[i]) line.points.push_back({step.at, step.share, step.share, step.share});
   }
@@ -99,7 +90,7 @@ LineChart attainment_chart(const ProblemReport& problem, const ProblemConvergenc
   chart.y = {up, Scale::logarithmic};
   chart.y.clamped_to = {kSmallestShown, kLargestShown};
   for (const ConvergenceFigures& figures : convergence.optimizers) {
-    ChartLine& line = chart.lines.emplace_back(line_named(figures.optimizer, problem.table));
+    ChartLine& line = chart.lines.emplace_back(line_named(problem, figures.optimizer));
     line.steps = line.band = true;
     line.points = attained_points(figures.attained[static_cast<std::size_t>(axis)], factor);
     keep_between(ends_in_race(problem, figures.optimizer, axis), line.points);

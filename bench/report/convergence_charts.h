@@ -22,7 +22,7 @@ namespace nodal::report {
 struct ProfileCharts {
   LineChart data, performance, reached;
 };
-/// Lines look as they do in the race of the first problem that has the optimizer.
+/// Lines look as they do in the races of the problems.
 [[nodiscard]] ProfileCharts profile_charts(const Profiles& profiles, const std::vector<ProblemReport>& problems);
 
 }  // namespace nodal::report

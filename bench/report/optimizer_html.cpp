@@ -48,7 +48,6 @@ std::string options_html(const OptimizerDetail& detail) {
 // Every repeat's curve, thin, in the colour that the optimizer has in the race.
 LineChart repeats_chart(const ProblemReport& problem, const OptimizerDetail& detail) {
   const double factor = problem.error_per_quality.value_or(1.0);
-  const auto row = std::ranges::find(problem.table.rows, detail.label, &OptimizerRow::label);
   LineChart chart;
   chart.title = fmt::format("{} on {}: {} of every repeat against time", detail.label, problem.table.reference.label,
                             height_title(problem, Raced::quality));
@@ -58,8 +57,8 @@ LineChart repeats_chart(const ProblemReport& problem, const OptimizerDetail& det
   chart.x = {"time", Scale::logarithmic, true};
   chart.y = {height_title(problem, Raced::quality), Scale::logarithmic};
   for (const RepeatDetail& repeat : detail.repeats) {
-    ChartLine line{fmt::format("repeat {}", repeat.repeat), line_place(problem.table, detail.label),
-                   row != problem.table.rows.end() && row->baseline};
+    ChartLine line = line_named(problem, detail.label);
+    line.label = fmt::format("repeat {}", repeat.repeat);
     line.thin = true;
     for (const CurvePoint& p : repeat.curve) {
       const double y = p.quality.median * factor;

@@ -26,11 +26,6 @@ const std::vector<CurvePoint>& curve_of(const OptimizerCurves& curves, Axis axis
   return curves.by_axis[static_cast<std::size_t>(axis)];
 }
 
-bool is_baseline(const ProblemTable& table, const std::string& optimizer) {
-  const auto row = std::ranges::find(table.rows, optimizer, &OptimizerRow::label);
-  return row != table.rows.end() && row->baseline;
-}
-
 // Problems that count no flops have work = evaluations.
 bool work_is_evaluations(const std::vector<OptimizerCurves>& curves) {
   return std::ranges::all_of(curves, [](const OptimizerCurves& c) {
@@ -52,8 +47,8 @@ Height height_of(const ProblemReport& problem, Raced raced) {
   return {best, 1.0 / (problem.table.start_quality.value_or(best + 1.0) - best)};
 }
 
-ChartLine line_of(const OptimizerCurves& curves, const ProblemTable& table, Axis axis, const Height& height) {
-  ChartLine line{curves.optimizer, line_place(table, curves.optimizer), is_baseline(table, curves.optimizer)};
+ChartLine line_of(const OptimizerCurves& curves, const ProblemReport& problem, Axis axis, const Height& height) {
+  ChartLine line = line_named(problem, curves.optimizer);
   line.band = true;
   for (const CurvePoint& p : curve_of(curves, axis))
     line.points.push_back(
@@ -97,13 +92,10 @@ std::string height_title(const ProblemReport& problem, Raced raced) {
   return problem.table.has_prior ? problem.raced_name() : "quality";
 }
 
-std::size_t line_place(const ProblemTable& table, const std::string& optimizer) {
-  std::size_t place = 0;
-  for (const OptimizerRow& row : table.rows) {
-    if (row.label == optimizer) break;
-    place += row.baseline ? 0 : 1;
-  }
-  return place;
+ChartLine line_named(const ProblemReport& problem, const std::string& optimizer) {
+  const auto place = std::ranges::find(problem.contestants, optimizer);
+  const auto number = static_cast<std::size_t>(place - problem.contestants.begin());
+  return {.label = optimizer, .style = number, .baseline = place == problem.contestants.end()};
 }
 
 bool has_gap(const ProblemReport& problem) {
@@ -135,7 +127,7 @@ LineChart race_chart(const ProblemReport& problem, Raced raced, Axis axis) {
   chart.y = {up, Scale::logarithmic};
   chart.y.clamped_to = {raced == Raced::gap ? kSmallestGap : kSmallestError, kLargestHeight};
   for (const OptimizerCurves& curves : curves_of(problem, raced))
-    chart.lines.push_back(line_of(curves, problem.table, axis, height));
+    chart.lines.push_back(line_of(curves, problem, axis, height));
   chart.rule = best_known(problem, raced, height);
   chart.description = "Median over trials, with the middle half of them as a band. " + ends_text(chart, false);
   return chart;

@@ -26,8 +26,8 @@ enum class Raced {
 /// Of what is raced: "relative error", "gap to G*", "unseen error".
 [[nodiscard]] std::string height_title(const ProblemReport& problem, Raced raced);
 
-/// An optimizer's number among those of a problem that are no baseline: its line's style (chart/line_styles.h).
-[[nodiscard]] std::size_t line_place(const ProblemTable& table, const std::string& optimizer);
+/// An empty line that looks as the optimizer's do in every chart.
+[[nodiscard]] ChartLine line_named(const ProblemReport& problem, const std::string& optimizer);
 
 /// There is a gap to draw: the start was measured and isn't the best.
 [[nodiscard]] bool has_gap(const ProblemReport& problem);

@@ -61,13 +61,13 @@ Value dash_value(std::string_view dash) {
   return lengths;
 }
 
-Value series_value(const OptimizerCurves& curves, std::span<const Axis> axes, const ProblemTable& table, int digits) {
-  const auto row = std::ranges::find(table.rows, curves.optimizer, &OptimizerRow::label);
-  const bool baseline = row != table.rows.end() && row->baseline;
-  const LineStyle style = baseline ? baseline_style() : line_style(line_place(table, curves.optimizer));
+Value series_value(const OptimizerCurves& curves, std::span<const Axis> axes, const ProblemReport& problem,
+                   int digits) {
+  const ChartLine line = line_named(problem, curves.optimizer);
+  const LineStyle style = line.baseline ? baseline_style() : line_style(line.style);
   Value value;
   value.set("label", curves.optimizer);
-  value.set("baseline", baseline);
+  value.set("baseline", line.baseline);
   value.set("colour", style.light);
   value.set("dark", style.dark);
   value.set("dash", dash_value(style.dash));
@@ -110,7 +110,7 @@ Value race_data(const ProblemReport& problem, Raced raced) {
   if (!unseen) set_reference(problem, value);
   Value::List series;
   for (const OptimizerCurves& curves : unseen ? problem.unseen_curves : problem.curves)
-    series.push_back(series_value(curves, axes, problem.table, unseen ? kErrorDigits : kQualityDigits));
+    series.push_back(series_value(curves, axes, problem, unseen ? kErrorDigits : kQualityDigits));
   value.set("series", Value(std::move(series)));
   return value;
 }

@@ -3,8 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+#include <map>
+#include <set>
+
 #include <report/convergence_charts.h>
 #include <report/page_parts.h>
+#include <report/race_chart.h>
 #include <report/report.h>
 
 #include "made_store.h"
@@ -189,6 +194,34 @@ TEST(Profiles, AttainedIsWhatTrialsHaveAtEveryCost) {
     EXPECT_DOUBLE_EQ(found.y, all[3]) << cost;
     EXPECT_DOUBLE_EQ(found.upper, all[5]) << cost;
   }
+}
+
+// b has no trial on the first problem, c none on the second.
+TEST(Profiles, AnOptimizerLooksTheSameInEveryChart) {
+  MadeStore made;
+  for (const char* name : {"a", "c"}) made.add("p", name, 0, {{5, 1.0}});
+  for (const char* name : {"b", "a"}) made.add("q", name, 0, {{5, 1.0}});
+  std::vector<Store> stores;
+  stores.push_back(made.write());
+  const ReportData data = collect(stores, Registry());
+  std::map<std::string, std::set<std::size_t>> styles;
+  const auto look = [&styles](const LineChart& chart) {
+    for (const ChartLine& line : chart.lines) styles[line.label].insert(line.style);
+  };
+  look(profile_charts(data.profiles.at(0), data.problems).data);
+  for (std::size_t i = 0; i < 2; ++i) {
+    look(race_chart(data.problems[i], Raced::quality, Axis::seconds));
+    look(attainment_chart(data.problems[i], data.convergence[i], Axis::seconds));
+  }
+  EXPECT_EQ(styles, (std::map<std::string, std::set<std::size_t>>{{"a", {0}}, {"c", {1}}, {"b", {2}}}));
+  std::map<std::string, std::set<std::string>> colours;
+  for (const ProblemReport& problem : data.problems) {
+    const Value race = race_data(problem, Raced::quality);
+    for (const Value& series : race.at("series").list())
+      colours[series.at("label").text()].insert(series.at("colour").text());
+  }
+  ASSERT_EQ(colours.size(), 3u);
+  for (const auto& [label, each] : colours) EXPECT_EQ(each.size(), 1u) << label;
 }
 
 // From the race's left end, where evaluation 0 stands, to its right one; also where nothing is ever improved.
