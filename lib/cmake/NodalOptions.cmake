@@ -14,6 +14,7 @@ option(NODAL_MICRO "Build the micro-benchmarks (Google Benchmark)" ${PROJECT_IS_
 option(NODAL_WERROR "Treat warnings as errors" OFF)
 set(NODAL_SANITIZE "" CACHE STRING "Sanitizers to build with, e.g. address,undefined")
 option(NODAL_PRECOMPILE "Precompile the standard headers: faster without a cache, but hides a source's missing includes" OFF)
+option(NODAL_TESTS_BY_PROGRAM "Each test program is one CTest test, or a few: sooner done, less is told apart" OFF)
 option(NODAL_UNITY_TESTS "Compile a test program's sources ten at a time: a whole build is faster, one changed test is slower" OFF)
 option(NODAL_FUZZ "Instrument for libFuzzer, and build the harnesses of tests/fuzz (Clang only)" OFF)
 
