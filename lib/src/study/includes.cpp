@@ -99,6 +99,9 @@ class Including {
       throw InputError(name.source, fmt::format("'{}' includes itself", shown(path.string())));
     if (way_.size() > kMostIncludes)
       throw InputError(name.source, fmt::format("includes lie more than {} deep", kMostIncludes));
+    if (included_.size() >= kMostIncludedFiles)
+      throw InputError(name.source, fmt::format("'{}' is one file too many: a study includes at most {}",
+                                                shown(path.string()), kMostIncludedFiles));
     std::string text = text_of(path, name);
     Value root = parse_toml(text, path.string());
     included_.push_back({path, std::move(text)});

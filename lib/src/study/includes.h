@@ -20,11 +20,13 @@ namespace nodal {
 
 /// The study's tables with what they include, and what was read, in the order of reading. With `stored` the texts are
 /// those, in that order, and no file is read. InputError where a file can't be read, includes itself, or lies more than
-/// kMostIncludes deep, and where what is stored is not enough.
+/// kMostIncludes deep, where there are more than kMostIncludedFiles, and where what is stored is not enough.
 [[nodiscard]] Value with_includes(Value root, const std::filesystem::path& path,
                                   const std::optional<std::vector<IncludedFile>>& stored,
                                   std::vector<IncludedFile>& included);
 
 inline constexpr std::size_t kMostIncludes = 16;
+/// A file counts as often as it is included: a few that include each other twice would be read for hours.
+inline constexpr std::size_t kMostIncludedFiles = 100;
 
 }  // namespace nodal

@@ -84,7 +84,11 @@ Setting read(const std::string& text) {
   setting.keys.erase(setting.keys.begin());
   if (setting.entry.empty() || std::ranges::any_of(setting.keys, &std::string::empty))
     throw InputError(setting.source, "has an empty key; write it as problem.material.poisson=0.2");
-  if (setting.keys.empty() && setting.entry != "include")
+  if (setting.entry == "include")
+    throw InputError(setting.source,
+                     "comes too late: what is included is read before keys are set; give include in the "
+                     "study, or a study of your own that includes it");
+  if (setting.keys.empty())
     throw InputError(setting.source,
                      fmt::format("sets a whole table; give one of its keys, as {}.KEY=VALUE", shown(setting.entry)));
   setting.value = value_of(std::string_view(text).substr(equals + 1), setting.source);

@@ -50,6 +50,22 @@ TEST_F(Includes, AStudyHasTheLastWord) {
   EXPECT_EQ(study.text.substr(0, 7), "include");
 }
 
+// Twelve files, sixteen million reads.
+TEST_F(Includes, AreNotTooMany) {
+  for (int i = 1; i <= 12; ++i) {
+    const std::string next = "'" + std::to_string(i + 1) + ".toml'";
+    write(std::to_string(i) + ".toml", "include = [" + next + ", " + next + ", " + next + ", " + next + "]\n");
+  }
+  write("13.toml", "");
+  write("study.toml", "include = '1.toml'\n[problem]\nkind = \"bowl\"\n");
+  EXPECT_NE(refusal().find(".toml:1: "), std::string::npos) << refusal();
+  EXPECT_NE(refusal().find("is one file too many: a study includes at most 100"), std::string::npos) << refusal();
+  std::string names;
+  for (int i = 0; i < 100; ++i) names += "'13.toml', ";
+  write("study.toml", "include = [" + names + "]\n[problem]\nkind = \"bowl\"\n");
+  EXPECT_EQ(read().included.size(), 100u);
+}
+
 TEST_F(Includes, OfAnotherProblemHaveNotItsBestKnownQuality) {
   write("common.toml", "[problem]\nkind = \"bare\"\nbest_known = { quality = 3, origin = \"file\" }\n");
   write("study.toml", "include = \"common.toml\"\n[problem]\nlabel = \"x\"\n");

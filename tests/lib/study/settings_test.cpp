@@ -33,6 +33,11 @@ TEST(Settings, AreValuesOfAnyKey) {
   EXPECT_EQ(study.settings.size(), 4u);
 }
 
+TEST(Settings, IncludeNothing) {
+  for (const char* setting : {"include=x.toml", "include=[]", "include.x=3", "include[a].x=3"})
+    EXPECT_NE(refusal_of_setting(setting).find("give include in the study"), std::string::npos) << setting;
+}
+
 TEST(Settings, MayBeOfOneEntry) {
   const Study study = with(
       {"problem[v1.0 = x].size=2", "optimizer[halving].options.factor=0.125", "optimizer[wanderer].label=\"a = b\""});
