@@ -35,7 +35,8 @@ void look_at(const TrialRecord& trial, ClaimsSeen& found) {
   ++found.claiming;
   if (claim.evaluations && counts_otherwise(trial, *claim.evaluations))
     sight(found.evaluations, trial.repeat, *claim.evaluations, trial.counts.evaluations);
-  if (!claim.cost) return;
+  // A validated stop reports another point than the race's best, of which the method speaks.
+  if (!claim.cost || (trial.unseen && trial.unseen->stop)) return;
   const double seen = *trial.best->summary.cost;
   const bool worse = *claim.cost - seen > kSameClaim * std::abs(seen) + kPerfectCost;
   if (contradicts(*claim.cost, seen)) sight(found.better, trial.repeat, *claim.cost, seen);

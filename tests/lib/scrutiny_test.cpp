@@ -46,6 +46,18 @@ TEST(Claims, WorseThanWhatWasSeenLoseIt) {
   EXPECT_EQ(seen({claiming(0, 1.0, {}, false)}).other_points, 0u);
 }
 
+TEST(Claims, OfTheRacesBestSayNothingOfWhatAValidatedStopChose) {
+  TrialRecord honest = claiming(0, 0.5, 100, true);
+  honest.unseen = UnseenRecord{{"x", "y"}, {}, 0, {}};
+  EXPECT_EQ(seen({honest}).better.trials, 1u);
+  honest.unseen->stop = ValidatedStop{5, 9, 3.0};
+  EXPECT_TRUE(seen({honest}).agrees());
+  honest.claimed->cost = 1.25;
+  EXPECT_TRUE(seen({honest}).agrees());
+  honest.claimed->evaluations = 90;
+  EXPECT_EQ(seen({honest}).evaluations.trials, 1u);
+}
+
 TEST(Claims, CountEvaluationsAsTheMeterDoes) {
   std::vector<TrialRecord> records = {claiming(0, 1.0, 100), claiming(1, 1.0, 90), claiming(2, 1.0, 103)};
   ClaimsSeen found = seen(records);
