@@ -80,8 +80,8 @@ void add_budget(CLI::App& command, StudyOverrides& overrides) {
   command.add_option("--seconds", overrides.seconds, "Wall time per trial [s], instead of the study's")
       ->check(above_zero());
   command.add_option("--evaluations", overrides.evaluations, "Evaluations per trial, instead of the study's")
-      ->check(above_zero());
-  command.add_option("--seed", overrides.seed, "Seed, instead of the study's");
+      ->check(whole_number_from(1));
+  command.add_option("--seed", overrides.seed, "Seed, instead of the study's")->check(whole_number_from(0));
 }
 
 void add_rerun(CLI::App& command, CompareArguments& to) {
@@ -91,7 +91,8 @@ void add_rerun(CLI::App& command, CompareArguments& to) {
               "--rerun", to.rerun,
               "Run stored trials again: of these optimizers (as for --only), those that 'failed', or those that are "
               "'contaminated'; the results before stay in their files")
-          ->type_name("LABEL,…");
+          ->type_name("LABEL,…")
+          ->allow_extra_args(false);
   command.add_flag("--fresh", to.fresh, "Run every trial of the study again")->excludes(rerun);
 }
 
@@ -101,7 +102,8 @@ void add_only(CLI::App& command, StudyOverrides& overrides) {
           "--only", overrides.only,
           "Only the optimizers with these labels, or with a 'use' that one entry has, separated by commas; may be "
           "repeated")
-      ->type_name("LABEL,…");
+      ->type_name("LABEL,…")
+      ->allow_extra_args(false);
   command.add_option("--problem", overrides.only_problems, "Only the problem with this label; may be repeated")
       ->type_name("LABEL")
       ->allow_extra_args(false);
@@ -224,8 +226,8 @@ void add_verify(CLI::App& app, const Registry& registry, int& exit) {
   CLI::App& command = add_command(app, "verify", "Run some of a store's trials again and say whether they do the same",
                                   verify_command, registry, exit, to);
   command.add_option("store", to->directory, "A directory that nodal compare wrote")->required()->type_name("DIR");
-  command.add_option("--trials", to->trials, "How many (default: 10)")->check(above_zero());
-  command.add_option("--seed", to->seed, "Which (default: 1)");
+  command.add_option("--trials", to->trials, "How many (default: 10)")->check(whole_number_from(1));
+  command.add_option("--seed", to->seed, "Which (default: 1)")->check(whole_number_from(0));
 }
 
 void add_export(CLI::App& app, const Registry& registry, int& exit) {
@@ -310,6 +312,7 @@ int run_command(const Registry& registry, int argc, const char* const* argv) {
   add_list(app, registry, exit);
   add_init(app, registry, exit);
   add_schema(app, registry, exit);
+  refuse_empty_texts(app);
   try {
     app.parse(argc, argv);
     return exit;

@@ -2,8 +2,10 @@
 #include "usage_error.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -78,6 +80,27 @@ CLI::Validator not_below_zero() {
     return finite_number(text) >= 0.0 ? std::string() : fmt::format("'{}' is no number from 0 on", shown(text));
   };
   return CLI::Validator(check, ">= 0");
+}
+
+CLI::Validator whole_number_from(std::int64_t least) {
+  const auto check = [least](const std::string& text) {
+    std::int64_t number = 0;
+    const char* end = text.data() + text.size();
+    const auto [at, error] = std::from_chars(text.data(), end, number);
+    if (error == std::errc() && at == end && number >= least) return std::string();
+    return fmt::format("'{}' is no whole number from {} to {}", shown(text), least,
+                       std::numeric_limits<std::int64_t>::max());
+  };
+  return CLI::Validator(check, fmt::format(">= {}", least));
+}
+
+void refuse_empty_texts(CLI::App& app) {
+  const CLI::Validator filled([](const std::string& text) { return text.empty() ? "is empty" : std::string(); }, "");
+  for (CLI::App* command : app.get_subcommands([](CLI::App*) { return true; }))
+    for (CLI::Option* option : command->get_options([](CLI::Option*) { return true; }))
+      // Those of labels say which there are.
+      if (option->get_items_expected_max() > 0 && !option->check_lname("only") && !option->check_lname("rerun"))
+        option->check(filled);
 }
 
 }  // namespace nodal

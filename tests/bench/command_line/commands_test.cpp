@@ -130,6 +130,16 @@ TEST(Report, TakesAwayChartsThatItNoLongerHas) {
   EXPECT_FALSE(std::filesystem::exists(figures / "former-error-time.svg"));
 }
 
+TEST(Compare, TakesOneWordAfterOnlyAndRerun) {
+  const Folder folder;
+  folder.write("quick.toml", kQuickStudy);
+  EXPECT_EQ(run(folder, {"compare", "--only", "annealing", "quick.toml", "--out", "a"}).exit, 0);
+  const Output again = run(folder, {"compare", "--rerun", "annealing", "quick.toml", "--out", "a"});
+  EXPECT_EQ(again.exit, 0) << again.err;
+  EXPECT_EQ(count_lines(folder.path() / "a" / "trials"), 6u);  // two of each, and two again
+  EXPECT_EQ(run(folder, {"trials", "--only", "annealing", "--only", "random-search", "quick.toml"}).exit, 0);
+}
+
 TEST(Report, MergesSeveralStores) {
   const Folder folder;
   folder.write("quick.toml", kQuickStudy);
