@@ -10,6 +10,7 @@ namespace nodal {
 
 bool shared_its_core(const TrialRecord& record) {
   const Seconds& seconds = record.seconds;
+  if (record.end == End::timeout && seconds.cpu == 0.0) return false;  // nobody knows: it was killed
   if (seconds.cpu >= kLeastCoreShare * seconds.total) return false;
   return seconds.total >= kShortestToldSeconds || (record.conditions && record.conditions->preempted.value_or(0) > 0);
 }

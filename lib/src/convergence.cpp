@@ -32,17 +32,20 @@ Trials trials_of(const Contest& contest, const std::string& optimizer) {
 
 Trials counting(const Trials& trials, Axis axis) { return axis == Axis::seconds ? timed_trials(trials) : trials; }
 
+bool has_died(const TrialRecord& trial) { return trial.end == End::timeout || trial.end == End::crashed; }
+
 double longest_end(const Contest& contest, Axis axis) {
   double longest = 0.0;
-  for (const TrialRecord* trial : contest.trials) longest = std::max(longest, end_position(*trial, axis));
+  for (const TrialRecord* trial : contest.trials)
+    if (!has_died(*trial)) longest = std::max(longest, end_position(*trial, axis));
   return longest;
 }
 
-// A trial whose process died has no end of its own: it has cost as much as the longest.
+// Of a trial whose process died only the time is known, if it was killed: else it has cost as much as the longest.
 statistics::RunLength length_of(const TrialRecord& trial, const ProblemReference& reference, double gap, Axis axis,
                                 double longest) {
-  const bool died = trial.end == End::timeout || trial.end == End::crashed;
-  return {gap_reached(trial, reference, gap, axis), died ? longest : end_position(trial, axis)};
+  const double end = end_position(trial, axis);
+  return {gap_reached(trial, reference, gap, axis), has_died(trial) ? std::max(longest, end) : end};
 }
 
 bool all_alike(const std::vector<statistics::RunLength>& lengths) {

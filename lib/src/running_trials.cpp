@@ -98,7 +98,9 @@ EndedTrial RunningTrials::hung(const Running& entry) const {
   const std::string why = entry.child->is_stopped()
                               ? fmt::format("killed after {:g} s: its process was stopped by a signal", allowed)
                               : fmt::format("killed after {:g} s: it did not stop by itself", allowed);
-  return {entry.ticket, lost_trial(study_, entry.trial, End::timeout, why), {}, false, entry.began};
+  TrialRecord record = lost_trial(study_, entry.trial, End::timeout, why);
+  record.seconds.total = std::chrono::duration<double>(Clock::now() - entry.began).count() - entry.missed;
+  return {entry.ticket, std::move(record), {}, false, entry.began};
 }
 
 }  // namespace nodal

@@ -63,6 +63,7 @@ TEST(Compare, KillsATrialThatHangs) {
   const Store store(directory.path());
   EXPECT_EQ(store.records()[0].end, End::timeout);
   EXPECT_EQ(store.records()[0].reason, "killed after 0.3 s: it did not stop by itself");
+  EXPECT_GT(store.records()[0].seconds.total, 0.29);
   EXPECT_EQ(store.records()[1].optimizer, "halving");
   EXPECT_FALSE(has_children());
 }

@@ -79,6 +79,27 @@ TEST(Convergence, ATrialThatDiedHasCostAsMuchAsTheLongest) {
   EXPECT_DOUBLE_EQ(*target(converge_of(race).optimizers.at(0), 0.1).expected[kEvaluations], 20.0 + 100.0);
 }
 
+// It had no processor time to tell of, and still isn't a disturbed one.
+TEST(Convergence, ATrialThatWasKilledHasCostItsOwnSeconds) {
+  Race race;
+  race.add(trial("a", 0, {{20, 1.0}}));
+  TrialRecord& dead = race.add(trial("a", 1, {}, 0));
+  dead.end = End::timeout;
+  dead.start = {};
+  dead.best = {};
+  dead.trace.clear();
+  dead.seconds = {.total = 35.0};
+  race.add(trial("b", 0, {}));
+  const ProblemConvergence found = converge_of(race);
+  EXPECT_TRUE(contamination(dead).empty());
+  EXPECT_DOUBLE_EQ(*target(found.optimizers.at(0), 0.1).expected[kSeconds], 2.0 + 35.0);
+  EXPECT_DOUBLE_EQ(*target(found.optimizers.at(0), 0.1).expected[kEvaluations], 20.0 + 100.0);
+  EXPECT_DOUBLE_EQ(found.limits[kSeconds]->to, 10.0);
+  // What an older version stored has no seconds.
+  dead.seconds = {};
+  EXPECT_DOUBLE_EQ(*target(converge_of(race).optimizers.at(0), 0.1).expected[kSeconds], 2.0 + 10.0);
+}
+
 TEST(Convergence, DisturbedTimesDontCountAsLongAsThereAreOthers) {
   Race race;
   race.add(trial("a", 0, {{20, 1.0}}));
