@@ -25,19 +25,54 @@ std::string scroll(const std::string& label, const std::string& table) {
                      escape_html(label), table);
 }
 
-std::string option_row(const OptionDetail& option, bool knows_request) {
+// How an option was set on some of the problems.
+struct OptionOn {
+  const OptionDetail* option;
+  std::vector<std::string> problems;
+};
+
+struct DetailOn {
+  const OptimizerDetail* detail;
+  std::string problem;
+};
+
+bool set_alike(const OptionDetail& a, const OptionDetail& b) {
+  return a.requested == b.requested && a.effective == b.effective && a.varies == b.varies;
+}
+
+// Every option, the first problem's first; of each the ways in which it was set.
+std::vector<std::vector<OptionOn>> option_ways(const std::vector<DetailOn>& details) {
+  std::vector<std::vector<OptionOn>> options;
+  for (const auto& [detail, problem] : details)
+    for (const OptionDetail& option : detail->options) {
+      auto ways = std::ranges::find(options, option.name, [](const auto& w) { return w.front().option->name; });
+      if (ways == options.end()) ways = options.insert(ways, std::vector<OptionOn>());
+      auto way = std::ranges::find_if(*ways, [&](const OptionOn& w) { return set_alike(*w.option, option); });
+      if (way == ways->end()) way = ways->insert(way, OptionOn{&option, {}});
+      way->problems.push_back(problem);
+    }
+  return options;
+}
+
+std::string option_row(const OptionOn& way, bool everywhere, bool knows_request) {
+  const OptionDetail& option = *way.option;
   const bool differs = option.differs();
-  return fmt::format("<tr{}><th scope=\"row\"><code>{}</code></th>{}<td>{}{}{}</td><td>{}</td></tr>\n",
-                     differs ? " class=\"differs\"" : "", escape_html(option.name),
+  const std::string where = everywhere ? "" : fmt::format(" on {}", fmt::join(way.problems, ", "));
+  return fmt::format("<tr{}><th scope=\"row\"><code>{}</code>{}</th>{}<td>{}{}{}</td><td>{}</td></tr>\n",
+                     differs ? " class=\"differs\"" : "", escape_html(option.name), escape_html(where),
                      knows_request ? "<td>" + optional_text(option.requested) + "</td>" : "",
                      optional_text(option.effective), differs ? " <strong>(not as asked for)</strong>" : "",
                      option.varies ? " (in the first trial; others differ)" : "", escape_html(option.help));
 }
 
-std::string options_html(const OptimizerDetail& detail) {
-  if (detail.options.empty()) return "<p>It has no options.</p>\n";
+std::string options_html(const std::vector<DetailOn>& details) {
+  const OptimizerDetail& detail = *details.front().detail;
+  const std::vector<std::vector<OptionOn>> options = option_ways(details);
+  if (options.empty()) return "<p>It has no options.</p>\n";
   std::string rows;
-  for (const OptionDetail& option : detail.options) rows += option_row(option, detail.knows_request);
+  for (const std::vector<OptionOn>& ways : options)
+    for (const OptionOn& way : ways)
+      rows += option_row(way, way.problems.size() == details.size(), detail.knows_request);
   return scroll("Options of " + detail.label,
                 fmt::format("<table class=\"plain options\"><caption>Options</caption><thead><tr><th "
                             "scope=\"col\">option</th>{}<th scope=\"col\">ran with</th><th scope=\"col\">meaning</th>"
@@ -152,22 +187,23 @@ std::vector<std::string> labels_of(const ReportData& data) {
 
 std::string section(const ReportData& data, const std::string& label, std::size_t index) {
   std::string body;
-  const OptimizerDetail* first = nullptr;
+  std::vector<DetailOn> details;
   bool differs = false;
   for (std::size_t p = 0; p < data.problems.size(); ++p) {
     const auto& all = data.problems[p].optimizers;
     const auto detail = std::ranges::find(all, label, &OptimizerDetail::label);
     if (detail == all.end()) continue;
-    if (!first) first = &*detail;
+    details.push_back({&*detail, data.problems[p].table.reference.label});
     differs = differs || std::ranges::any_of(detail->options, &OptionDetail::differs);
     body += on_problem(data.problems[p], *detail, fmt::format("repeats-{}-{}", index, p));
   }
+  const OptimizerDetail* first = details.front().detail;
   return fmt::format("<details class=\"optimizer\" id=\"optimizer-{}\"><summary><h3>{}</h3>{}{}</summary>\n", index,
                      escape_html(label), first->use == label ? "" : " <code>" + escape_html(first->use) + "</code>",
                      differs ? " – ran with other options than asked for" : "") +
          (first->summary.empty() ? "" : "<p>" + escape_html(first->summary) + ".</p>\n") +
          (first->reference.empty() ? "" : "<p class=\"note\">" + escape_html(first->reference) + "</p>\n") +
-         options_html(*first) + body + "</details>\n";
+         options_html(details) + body + "</details>\n";
 }
 
 }  // namespace

@@ -322,5 +322,27 @@ TEST(OptimizerDetail, SaysWhatRanOtherwiseThanAsked) {
   EXPECT_NE(page.find("ran with other options than asked for</summary>"), std::string::npos);
 }
 
+// A budget of its own, or a size: what follows from the problem has a row for each.
+TEST(OptimizerDetail, OptionsThatDifferBetweenProblemsHaveARowForEach) {
+  TrialRecord trial;
+  trial.use = "nobody-knows";
+  trial.options.set("steps", 10);
+  trial.options.set("scale", 0.5);
+  TrialRecord larger = trial;
+  larger.options.set("steps", 70);
+  larger.options.set("only", 1);
+  ReportData data;
+  for (const TrialRecord* one : {&trial, &larger, &trial}) {
+    const std::vector<const TrialRecord*> trials = {one};
+    ProblemReport& problem = data.problems.emplace_back();
+    problem.table.reference.label = "p" + std::to_string(data.problems.size());
+    problem.optimizers = {detail_of("mine", nullptr, trials, kinds())};
+  }
+  const std::string page = optimizers_html(data);
+  for (const char* row : {"<code>steps</code> on p1, p3</th><td>10</td>", "<code>steps</code> on p2</th><td>70</td>",
+                          "<code>scale</code></th><td>0.5</td>", "<code>only</code> on p2</th><td>1</td>"})
+    EXPECT_NE(page.find(row), std::string::npos) << row;
+}
+
 }  // namespace
 }  // namespace nodal::report
