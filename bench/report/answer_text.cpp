@@ -37,10 +37,11 @@ std::string ranks_html(const Answer& answer) {
   const Verdict& last = answer.verdicts.back();
   if (last.problems.size() < 2 || last.standings.empty()) return {};
   std::string text =
-      "<details><summary>Mean ranks over problems</summary>\n<div class=\"scroll\"><table "
-      "class=\"plain\"><thead><tr><th>optimizer</th>";
+      "<details><summary>Mean ranks over problems</summary>\n<div class=\"scroll\" tabindex=\"0\" "
+      "role=\"region\" aria-label=\"Mean ranks over problems\"><table class=\"plain\"><thead><tr><th "
+      "scope=\"col\">optimizer</th>";
   for (const Verdict& verdict : answer.verdicts)
-    text += "<th>" + escape_html(limit_text(verdict.limit, answer.scope)) + "</th>";
+    text += "<th scope=\"col\">" + escape_html(limit_text(verdict.limit, answer.scope)) + "</th>";
   text += "</tr></thead><tbody>\n";
   for (const Standing& standing : last.standings) {
     text += "<tr><th scope=\"row\">" + escape_html(standing.optimizer) + "</th>";

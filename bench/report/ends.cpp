@@ -89,8 +89,9 @@ std::string ends_html(const Ends& ends, const std::string& quality_name) {
       kArrived, escape_html(quality_name), kOneMinimum);
   if (ends.unknown > 0)
     note += fmt::format(" Of {} trial{} it can't be told.", ends.unknown, ends.unknown == 1 ? "" : "s");
-  return "<details class=\"ends\"><summary>Where trials ended</summary>\n<div class=\"scroll\" tabindex=\"0\">"
-         "<table class=\"plain\"><thead><tr><th scope=\"col\">minimum</th><th scope=\"col\">trials</th><th "
+  return "<details class=\"ends\"><summary>Where trials ended</summary>\n<div class=\"scroll\" tabindex=\"0\" "
+         "role=\"region\" aria-label=\"Where trials ended\"><table class=\"plain\"><thead><tr><th "
+         "scope=\"col\">minimum</th><th scope=\"col\">trials</th><th "
          "scope=\"col\">width</th><th scope=\"col\">whose</th></tr></thead><tbody>\n" +
          rows + "</tbody></table></div>\n<p class=\"note\">" + note + "</p></details>\n";
 }

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -71,9 +73,14 @@ std::string still_figure(const LineChart& chart, const std::string& id, const st
 std::string chart_html(const ProblemReport& problem, std::size_t index) {
   if (problem.curves.empty()) return {};
   const std::string id = fmt::format("race-{}", index);
+  const bool sampled = std::ranges::any_of(problem.table.rows, [](const OptimizerRow& row) { return row.starts > 1; });
   return figure_html(problem, Raced::quality, id, axis_controls(id, axes_of(problem)) + height_controls(problem, id),
                      "Median over trials; the band holds the middle half of them. A dotted line goes on from where an "
-                     "optimizer's trials ended.");
+                     "optimizer's trials ended." +
+                         std::string(sampled && has_gap(problem)
+                                         ? " Trials have starts of their own: the gap drawn is 1 at that of repeat 0; "
+                                           "tables have each trial's own."
+                                         : ""));
 }
 
 std::string unseen_chart_html(const ProblemReport& problem, std::size_t index) {

@@ -122,6 +122,31 @@ TEST(Profiles, StandOnThePageAsChartsAndTables) {
     EXPECT_NE(page.find(part), std::string::npos) << part;
 }
 
+// Of every table, also where a page has several problems and trials ended at minima.
+TEST(Profiles, TablesCanBeReadWithoutSeeingThem) {
+  MadeStore made;
+  for (const char* problem : {"p", "q"})
+    for (int r = 0; r < 3; ++r) {
+      made.add(problem, "a", r, {{5, 1.0}}, 4.0 + r).audit = AuditRecord{.stationarity = 0.0};
+      made.add(problem, "b", r, {{50, 2.0}}, 4.0 + r);
+    }
+  std::vector<Store> stores;
+  stores.push_back(made.write());
+  const ReportData data = collect(stores, Registry());
+  const std::string page = report_html(data);
+  EXPECT_NE(page.find("Mean ranks over problems"), std::string::npos);
+  EXPECT_NE(page.find("Where trials ended"), std::string::npos);
+  const std::string_view box = "<div class=\"scroll\"";
+  for (std::size_t at = page.find(box); at != std::string::npos; at = page.find(box, at + 1))
+    EXPECT_TRUE(
+        std::string_view(page).substr(at + box.size()).starts_with(" tabindex=\"0\" role=\"region\" aria-label=\""))
+        << page.substr(at, 200);
+  EXPECT_EQ(page.find("<th>"), std::string::npos);
+  for (std::size_t at = page.find("<th "); at != std::string::npos; at = page.find("<th ", at + 1))
+    EXPECT_NE(page.substr(at, page.find('>', at) - at).find("scope="), std::string::npos) << page.substr(at, 200);
+  EXPECT_NE(page.find("the gap drawn is 1 at that of repeat 0"), std::string::npos);
+}
+
 // Of three trials one is never below 4: a quarter and half attain 1, three quarters don't.
 TEST(Profiles, AttainedIsDrawnBetweenAQuarterAndThreeQuarters) {
   MadeStore made;
