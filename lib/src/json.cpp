@@ -11,6 +11,8 @@
 
 #include <nodal/shown.h>
 
+#include "json_without_places.h"
+
 namespace nodal {
 
 namespace {
@@ -66,8 +68,8 @@ class CountingIterator {
 // Builds a Value from nlohmann's events; it, unlike the document model, sees doubled keys and positions.
 class ValueBuilder final : public nlohmann::json_sax<nlohmann::json> {
  public:
-  ValueBuilder(std::string_view text, const std::string& name, const std::size_t& position, JsonNull null)
-      : name_(name), position_(position), lines_(text), null_(null) {}
+  ValueBuilder(std::string_view text, const std::string& name, const std::size_t& position, JsonNull null, bool places)
+      : name_(name), position_(position), lines_(text), null_(null), places_(places) {}
 
   bool null() override {
     if (null_ == JsonNull::left_out && !open_.empty() && open_.back().is_table()) return true;
@@ -126,7 +128,7 @@ class ValueBuilder final : public nlohmann::json_sax<nlohmann::json> {
 
   bool add(Value value) {
     if (++values_ > kMostValues) refuse("more than 20 million values; this is more than can be held");
-    if (value.source.file.empty()) value.source = here();
+    if (places_ && value.source.file.empty()) value.source = here();
     if (open_.empty()) {
       root_ = std::move(value);
     } else if (open_.back().is_list()) {
@@ -138,7 +140,7 @@ class ValueBuilder final : public nlohmann::json_sax<nlohmann::json> {
   }
   bool open(Value value) {
     if (open_.size() >= kDeepest) refuse("more than 200 nested brackets");
-    value.source = here();
+    if (places_) value.source = here();
     open_.push_back(std::move(value));
     keys_.emplace_back();
     known_.emplace_back();
@@ -156,6 +158,7 @@ class ValueBuilder final : public nlohmann::json_sax<nlohmann::json> {
   const std::size_t& position_;
   LineCounter lines_;
   JsonNull null_;
+  bool places_;
   Value root_;
   std::vector<Value> open_;
   std::vector<std::string> keys_;
@@ -252,14 +255,22 @@ void write(const Value& value, bool canonical, std::string& out) {
   }
 }
 
-}  // namespace
-
-Value parse_json(std::string_view text, const std::string& name, JsonNull null) {
+Value parse(std::string_view text, const std::string& name, JsonNull null, bool places) {
   std::size_t position = 0;
-  ValueBuilder builder(text, name, position, null);
+  ValueBuilder builder(text, name, position, null, places);
   const CountingIterator begin(text.data(), &position), end(text.data() + text.size(), &position);
   nlohmann::json::sax_parse(begin, end, &builder);
   return std::move(builder).result();
+}
+
+}  // namespace
+
+Value parse_json(std::string_view text, const std::string& name, JsonNull null) {
+  return parse(text, name, null, true);
+}
+
+Value parse_json_without_places(std::string_view text, const std::string& name) {
+  return parse(text, name, JsonNull::refused, false);
 }
 
 std::string to_json(const Value& value) {

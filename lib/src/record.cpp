@@ -5,6 +5,7 @@
 
 #include <nodal/shown.h>
 
+#include "json_without_places.h"
 #include "record_archive.h"
 
 namespace nodal {
@@ -184,7 +185,7 @@ std::string to_json_line(const TrialRecord& record) {
 }
 
 TrialRecord parse_record(std::string_view line, const std::string& name) {
-  const Value value = parse_json(line, name);
+  const Value value = parse_json_without_places(line, name);
   if (!value.is_table()) throw InputError(name + ": not a trial's record: it is no table");
   const Value* schema = value.find("schema");
   if (schema && schema->is_integer() && schema->integer() > kRecordSchema)
