@@ -37,6 +37,8 @@ std::optional<std::string> ResultCache::find(std::string_view origin) const {
 void ResultCache::keep(std::string_view origin, std::string_view text) const {
   if (directory_.empty()) return;
   std::error_code failed;
+  // A store's folder that is a link leads out of it.
+  if (std::filesystem::is_symlink(std::filesystem::symlink_status(directory_, failed))) return;
   std::filesystem::create_directories(directory_, failed);
   if (failed) return;
   try {

@@ -24,6 +24,14 @@ std::string content(const fs::path& path) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
+TEST(ResultCache, KeepsNothingElsewhere) {
+  const toy::TemporaryDirectory folder;
+  std::filesystem::create_directories(folder.path() / "elsewhere");
+  std::filesystem::create_directory_symlink(folder.path() / "elsewhere", folder.path() / "cache");
+  ResultCache(folder.path() / "cache").keep("origin", "text");
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path() / "elsewhere"));
+}
+
 TEST(ResultCache, GivesBackWhatWasKeptOfTheSameOrigin) {
   const toy::TemporaryDirectory directory;
   const ResultCache cache(directory.path() / "made" / "here");

@@ -54,6 +54,24 @@ class FullDisk {
   rlimit old_limit_{};
 };
 
+TEST(StoreFaults, TrialsAndResultsAreNotWrittenElsewhere) {
+  for (const char* name : {"trials", "cache"}) {
+    const TemporaryDirectory folder;
+    fs::create_directories(folder.path() / "store");
+    fs::create_directories(folder.path() / "elsewhere");
+    fs::create_directory_symlink(folder.path() / "elsewhere", folder.path() / "store" / name);
+    Store store(folder.path() / "store");
+    std::string message;
+    try {
+      store.begin(toy_study());
+    } catch (const StoreError& error) {
+      message = error.what();
+    }
+    EXPECT_NE(message.find(std::string("store/") + name + "': it is a link; remove it"), std::string::npos) << message;
+    EXPECT_TRUE(fs::is_empty(folder.path() / "elsewhere"));
+  }
+}
+
 TEST(Store, DropsALineThatWasCutOffWhereverThatWas) {
   const TemporaryDirectory temporary;
   const fs::path file = temporary.path() / "trials" / "x.jsonl";
