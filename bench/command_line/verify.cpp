@@ -12,6 +12,7 @@
 
 #include "commands.h"
 #include "console.h"
+#include "stop_signal.h"
 #include "stored_study.h"
 
 namespace nodal {
@@ -113,9 +114,14 @@ int verify_command(const VerifyArguments& arguments, const Registry& registry) {
   std::vector<std::string> keys = stored_keys(study, store);
   const std::size_t others = store.records().size() - keys.size();
   options.keys = sample(std::move(keys), arguments);
+  const StopSignal stop;
+  options.interrupted = &stop.flag();
   const Scratch scratch;
   Store again(scratch.path());
-  (void)compare(study, registry, again, options);
+  if (compare(study, registry, again, options).interrupted) {
+    std::cerr << "interrupted: nothing is said of any trial\n";
+    return kExitInterrupted;
+  }
 
   Found found;
   const Value here = provenance();

@@ -4,6 +4,7 @@
 #include <signal.h>
 #include <unistd.h>
 
+#include <cstdlib>
 #include <set>
 
 #include <nodal/store.h>
@@ -46,6 +47,26 @@ TEST_P(Interrupted, ComparisonKeepsWhatFinishedAndGoesOnLater) {
   EXPECT_EQ(count_lines(trials), 6u);
 }
 INSTANTIATE_TEST_SUITE_P(Signals, Interrupted, testing::Values(SIGINT, SIGTERM, SIGHUP));
+
+TEST_P(Interrupted, VerificationLeavesNothingBehind) {
+  const Folder folder;
+  folder.write("slow.toml", kSlowStudy);
+  EXPECT_EQ(run(folder, {"compare", "slow.toml"}).exit, 0);
+  const std::filesystem::path scratch = folder.path() / "scratch";
+  std::filesystem::create_directory(scratch);
+  ::setenv("TMPDIR", scratch.c_str(), 1);
+  Started program(folder, {"verify", "results/slow"});
+  ::unsetenv("TMPDIR");
+  bool began = false;
+  for (int i = 0; i < 3000 && !began; ++i, ::usleep(10000))
+    for (const auto& entry : std::filesystem::directory_iterator(scratch))
+      began = began || std::filesystem::exists(entry.path() / "manifest.json");
+  ::kill(program.process(), GetParam());
+  const Output output = program.wait();
+  ASSERT_TRUE(began);
+  EXPECT_EQ(output.exit, 130) << output.out << output.err;
+  EXPECT_TRUE(std::filesystem::is_empty(scratch));
+}
 
 // Killed outright it leaves whole lines, and perhaps one that is cut off.
 TEST(Killed, ComparisonGoesOnFromWhatIsWhole) {
