@@ -185,6 +185,16 @@ void copy_cache(const fs::path& from, const fs::path& to) {
   if (fs::is_directory(from, ignored)) fs::copy(from, to, fs::copy_options::skip_existing, ignored);
 }
 
+void write_into_empty(std::span<const Store> stores, const MergedStores& merged, const fs::path& directory) {
+  TrialFile file(directory);
+  for (const std::vector<TrialRecord>* records : {&merged.records, &merged.not_asked_for})
+    for (const TrialRecord& record : *records) file.append(to_json_line(record));
+  make_directory(Store::cache_of(directory));
+  for (const Store& store : stores) copy_cache(Store::cache_of(store.directory()), Store::cache_of(directory));
+  // Last: what has no manifest is no store.
+  replace_file(directory / "manifest.json", to_json(merged.manifest) + "\n", Links::replace);
+}
+
 }  // namespace
 
 MergedStores merge_stores(std::span<const Store> stores) {
@@ -196,14 +206,17 @@ MergedStores merge_stores(std::span<const Store> stores) {
 void write_merged(std::span<const Store> stores, const MergedStores& merged, const fs::path& directory) {
   if (fs::exists(directory) && !fs::is_empty(directory))
     throw InputError(fmt::format("'{}' is not empty; give a new directory", directory.string()));
+  const bool made = !fs::exists(directory);
   make_directory(directory);
-  TrialFile file(directory);
-  for (const std::vector<TrialRecord>* records : {&merged.records, &merged.not_asked_for})
-    for (const TrialRecord& record : *records) file.append(to_json_line(record));
-  make_directory(Store::cache_of(directory));
-  for (const Store& store : stores) copy_cache(Store::cache_of(store.directory()), Store::cache_of(directory));
-  // Last: what has no manifest is no store, and a merge that broke off can be begun again.
-  replace_file(directory / "manifest.json", to_json(merged.manifest) + "\n", Links::replace);
+  try {
+    write_into_empty(stores, merged, directory);
+  } catch (...) {  // a full disk: the same command must be able to begin again
+    std::error_code ignored;
+    for (const fs::directory_entry& entry : fs::directory_iterator(directory, ignored))
+      fs::remove_all(entry.path(), ignored);
+    if (made) fs::remove(directory, ignored);
+    throw;
+  }
 }
 
 }  // namespace nodal

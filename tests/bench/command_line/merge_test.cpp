@@ -2,9 +2,11 @@
 // Stores that become one, and studies that were set or joined when they ran.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <sstream>
 #include <utility>
 
+#include <nodal/merge.h>
 #include <nodal/store.h>
 
 #include "program.h"
@@ -96,6 +98,26 @@ TEST(Merge, TellsOfOtherSeedsAndVerifiesWhatItsStudyAsksFor) {
 }
 
 // Each text stands by itself: together they are no TOML.
+TEST(Merge, LeavesNothingWhereItFails) {
+  const Folder folder;
+  folder.write("quick.toml", kQuickStudy);
+  compare_into(folder, "a", {"--evaluations", "100"});
+  std::vector<Store> stores;
+  stores.push_back(Store::open_existing(folder.path() / "a"));
+  MergedStores merged = merge_stores(stores);
+  const Value whole = merged.manifest;
+  merged.manifest.set("runs", std::nan(""));  // never reaches JSON
+  const std::filesystem::path there = folder.path() / "there", made = folder.path() / "made";
+  std::filesystem::create_directory(there);
+  EXPECT_ANY_THROW(write_merged(stores, merged, there));
+  EXPECT_TRUE(std::filesystem::is_empty(there));
+  EXPECT_ANY_THROW(write_merged(stores, merged, made));
+  EXPECT_FALSE(std::filesystem::exists(made));
+  merged.manifest = whole;
+  write_merged(stores, merged, there);
+  EXPECT_EQ(Store::open_existing(there).records().size(), 4u);
+}
+
 TEST(Merge, KeepsTextsApart) {
   const Folder folder;
   folder.write("quick.toml", kQuickStudy);
