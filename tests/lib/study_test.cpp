@@ -49,6 +49,15 @@ options = { factor = 0.25 }
 use = "wanderer"
 )";
 
+TEST(StudyLabels, StandInOneLine) {
+  for (const char* label : {"a\\nb", "a\\tb", "a\\u001bb"}) {
+    const std::string text = std::string("label = \"") + label + "\"\n";
+    for (const std::string& message :
+         {refusal_after_problem(text), refusal_after_problem("[[optimizer]]\nuse = \"halving\"\n" + text)})
+      EXPECT_NE(message.find("no part of a line: '" + std::string(label)), std::string::npos) << message;
+  }
+}
+
 TEST(Study, HoldsWhatTheFileSays) {
   const Study s = study(kWhole);
   EXPECT_EQ(s.name, "toys");

@@ -316,6 +316,9 @@ class StudyReader {
     if (const Value* given = entry.find("label"); given && label.empty())
       throw InputError(given->source, fmt::format("'label' of {} is empty; it names rows and results", table));
     require_short(entry.find("label"), "label", table, kMostOfALabel);
+    if (const Value* given = entry.find("label"); given && shown(label, label.size()) != label)
+      throw InputError(given->source, fmt::format("'label' of {} has a character that is no part of a line: '{}'",
+                                                  table, shown(label)));
     const auto found = std::ranges::find(taken, label, &Labels::value_type::first);
     if (found != taken.end())
       throw InputError(entry.source, fmt::format("two {} have the label '{}' ({}); give one a 'label' of its own", what,
