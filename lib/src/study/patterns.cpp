@@ -48,6 +48,15 @@ std::vector<Value> methods_meant(const Value& entry, const std::vector<const Val
     meant.push_back(entry);
     meant.back().set("use", std::move(use));
   }
+  // What the build lacks is left out with its reason, whatever else is meant. Its names may be patterns themselves.
+  for (const AbsentDescription& absent : registry.absent()) {
+    if (!matches(pattern, absent.name)) continue;
+    any = true;
+    Value use(absent.name);
+    use.source = entry.at("use").source;
+    meant.push_back(entry);
+    meant.back().set("use", std::move(use));
+  }
   if (!any && !registry.find_absent(pattern))
     throw InputError(entry.at("use").source,
                      fmt::format("no optimizer's name is like '{}'; see nodal list optimizers", shown(pattern)));

@@ -32,7 +32,8 @@ TEST(Patterns, LeaveOutWhatHasAnEntryOfItsOwn) {
 TEST(Patterns, LeaveOutWhatAProblemCantServe) {
   const Study study = race("[[optimizer]]\nuse = \"[nw]*\"\n", "bare");
   EXPECT_EQ(labels(study), (std::vector<std::string>{"wanderer"}));
-  ASSERT_EQ(study.left_out.size(), 2u);
+  ASSERT_EQ(study.left_out.size(), 3u);
+  EXPECT_EQ(study.left_out.back().use + ": " + study.left_out.back().reason.substr(0, 11), "nlopt-*: needs NLopt");
   EXPECT_EQ(study.left_out[0].label, "newton");
   EXPECT_EQ(study.left_out[0].reason, "needs gradient and residuals, which problem 'bare' can't give");
 }
