@@ -231,9 +231,10 @@ OptimizerRow make_row(const RowRequest& request, std::span<const TrialRecord* co
   set_unseen(trials, row);
   row.evaluations = quartiles_of(trials, count([](const TrialRecord& t) { return t.counts.evaluations; }));
   row.factorizations = quartiles_of(trials, count([](const TrialRecord& t) { return t.work.factorizations; }));
-  const std::vector<const TrialRecord*> timed = timed_trials(trials);
-  row.timed = timed.size();
+  std::vector<const TrialRecord*> timed = timed_trials(trials);
   row.timed_alone = std::ranges::any_of(timed, [](const TrialRecord* t) { return ran_alone_undisturbed(*t); });
+  if (row.timed_alone) std::erase_if(timed, [](const TrialRecord* t) { return !ran_alone_undisturbed(*t); });
+  row.timed = timed.size();
   row.seconds = quartiles_of(timed, count([](const TrialRecord& t) { return t.seconds.total; }));
   row.work = quartiles_of(trials, count([](const TrialRecord& t) { return end_position(t, Axis::work); }));
   for (std::size_t i = 0; i < kTargetGaps.size(); ++i)

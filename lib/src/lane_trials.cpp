@@ -26,10 +26,10 @@ std::map<Pair, Repeats> repeats_of(const Study& study, const Store& store, const
     Repeats& repeats = pairs[{trial.problem, trial.optimizer}];
     ++repeats.all;
     const TrialRecord* stored = store.find(trial_key(study, trial));
-    if (!stored) continue;
+    if (!stored || is_failure(stored->end)) continue;
     if (ran_alone(*stored))
       ++repeats.alone;
-    else if (!is_failure(stored->end))
+    else
       repeats.beside.push_back(trial.repeat);
   }
   return pairs;

@@ -103,6 +103,36 @@ TEST(Table, TakesTimesFromTrialsThatRanAloneAndUndisturbed) {
   EXPECT_EQ(row().timed, 5u);
 }
 
+// Beside others twelve of fifteen died; the three that are left have run alone.
+TEST(Table, TimesKeepTheShareOfTrialsThatFailed) {
+  std::vector<TrialRecord> records;
+  for (int repeat = 0; repeat < 15; ++repeat) {
+    TrialRecord& record = records.emplace_back(trial("a", repeat, {{10, 1.0}}));
+    record.seconds.cpu = record.seconds.total;
+    record.conditions = Conditions{"", "", repeat % 5 == 0 ? 1 : 2, 2, false, false};
+    if (repeat % 5 > 0) record.end = End::crashed;
+  }
+  for (std::size_t i = 0; i < 15; ++i)
+    if (records[i].end == End::crashed) records[i].trace.clear();
+  const std::vector<RowRequest> rows = {{"a", "a", false}};
+  const OptimizerRow row = make_table("p", KnownOptimum{0.9, "made"}, rows, records).rows[0];
+  EXPECT_EQ(timed_trials(pointers(records)).size(), 15u);
+  EXPECT_EQ(row.timed, 3u);
+  EXPECT_TRUE(row.timed_alone);
+  EXPECT_FALSE(row.target(1e-1).median[static_cast<std::size_t>(Axis::seconds)]);
+  expect_quartiles(row.seconds, 10.0, 10.0, 10.0);
+}
+
+// One job here and one in another comparison are two.
+TEST(Table, ATrialBesideAnotherComparisonDidntRunAlone) {
+  TrialRecord record = trial("a", 0, {});
+  EXPECT_TRUE(ran_alone(record));
+  record.conditions = Conditions{"", "", 1, 2, false, false};
+  EXPECT_TRUE(ran_alone(record));
+  record.conditions->beside_others = true;
+  EXPECT_FALSE(ran_alone(record));
+}
+
 TEST(Table, CountsATrialThatNeverGotThereAsInfinitelyLong) {
   const Race race;
   const ProblemTable table = race.table();

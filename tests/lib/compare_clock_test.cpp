@@ -156,6 +156,24 @@ TEST(TimeLane, GoesOnWhereItWasInterrupted) {
   }
 }
 
+// Two comparisons of one job each are not alone: their times wait for the next one.
+TEST(TimeLane, TimesWhatRanBesideAnotherComparison) {
+  const Study study = study_with(kTwo);
+  const TemporaryDirectory directory;
+  (void)run(study, directory);
+  {
+    Store store(directory.path());
+    std::vector<TrialRecord> records = store.records();
+    for (TrialRecord& record : records) {
+      record.attempt = 2;
+      record.conditions->beside_others = true;
+      store.append(record);
+    }
+  }
+  EXPECT_EQ(run(study, directory, {.time_lane = 3}).ran, 6u);
+  EXPECT_EQ(run(study, directory, {.time_lane = 3}).ran, 0u);
+}
+
 TEST(TimeLane, LeavesOutWhatFailed) {
   const TemporaryDirectory directory;
   const CompareResult result =

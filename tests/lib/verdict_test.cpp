@@ -284,6 +284,41 @@ TEST(Verdict, TakesSecondsOfTheTrialsThatTablesTakeThemOf) {
   EXPECT_EQ(standing(judge(race.contest(), {Axis::evaluations, 100.0}), "a").trials, 3u);
 }
 
+// Beside others twelve of fifteen crashed, and the timing lane ran the rest once more: they are its winners, not all.
+TEST(Verdict, ALaneKeepsTheShareOfThoseThatFailed) {
+  const auto under_time = [](std::size_t failures) {
+    Race race;
+    race.add_all("frail", {2.0, 2.1, 2.2, 2.3, 2.4, 2.5, 2.6, 2.7, 2.8, 2.9, 3.0, 3.1, 3.2, 3.3, 3.4});
+    race.add_all("sure", kHigh);
+    for (std::size_t i = 0; i < 15; ++i) {
+      race.records[i].conditions = Conditions{"", "", i < 12 ? 2 : 1, 2, false, false};
+      if (i < failures) race.records[i].end = End::crashed;
+    }
+    return judge(race.contest(), {Axis::seconds, 100.0});
+  };
+  EXPECT_EQ(taken(under_time(12)), Labels{"sure"});
+  EXPECT_FALSE(standing(under_time(12), "frail").quality.median);
+  EXPECT_EQ(standing(under_time(12), "frail").observations, 15u);
+  // Five failed beside ten that didn't: beside the lane's three that is 1.5, rounded.
+  EXPECT_EQ(under_time(5).standings.at(0).optimizer, "frail");
+  EXPECT_EQ(standing(under_time(5), "frail").observations, 5u);
+  EXPECT_EQ(standing(under_time(0), "frail").observations, 3u);
+}
+
+// Whole trials: those that the clock ended count by the lane's, and all failures would outweigh these.
+TEST(Verdict, OfTrialsThatTheClockEndedTheShareOfFailuresIsKept) {
+  Race race;
+  race.add_all("a", {2.0, 2.1, 2.2, 2.3, 2.4, 2.5, 2.6, 2.7, 2.8, 2.9, 3.0, 3.1, 3.2, 3.3, 3.4});
+  for (std::size_t i = 0; i < 15; ++i) {
+    race.records[i].conditions = Conditions{"", "", i % 5 == 0 ? 1 : 2, 2, false, false};
+    race.records[i].reason = "seconds spent";
+    if (i % 5 == 1) race.records[i].end = End::failed;
+  }
+  const Verdict verdict = judge(race.contest(), kWhole);
+  EXPECT_EQ(verdict.standings.at(0).observations, 4u);  // three alone; of three failures 3 · 3/12, rounded
+  EXPECT_TRUE(verdict.standings.at(0).quality.median);
+}
+
 TEST(Verdict, DisturbedTimesDontCountAsLongAsThereAreOthers) {
   Race race;
   race.add_all("a", {2.0, 2.1, 9.0});

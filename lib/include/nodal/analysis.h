@@ -47,12 +47,14 @@ struct Quartiles {
 /// Linear interpolation between order statistics (Hyndman & Fan type 7); empty for no values.
 [[nodiscard]] std::optional<Quartiles> quartiles(std::vector<double> values);
 
-/// No other trial of its comparison ran beside it; of a record that doesn't say, nobody knows better.
+/// No other trial ran beside it, of its comparison or another one in its store; of a record that doesn't say, nobody
+/// knows better.
 [[nodiscard]] bool ran_alone(const TrialRecord& record);
 [[nodiscard]] bool ran_alone_undisturbed(const TrialRecord& record);  ///< … and has no `contamination`
 /// Those of an optimizer's trials whose seconds count, in tables, curves, expected times and verdicts alike: that ran
-/// alone and undisturbed; where none did, that were undisturbed; where none was, all. Everything that isn't seconds is
-/// of all trials.
+/// alone and undisturbed; where none did, that were undisturbed; where none was, all. Trials that failed tell no times,
+/// but stand for those that never get there: of them as many count as keep their share of all trials. Everything that
+/// isn't seconds is of all trials.
 [[nodiscard]] std::vector<const TrialRecord*> timed_trials(std::span<const TrialRecord* const> trials);
 
 /// The problem of a table: what G is measured against.
@@ -89,7 +91,7 @@ struct OptimizerRow {
   std::size_t starts = 0;                            ///< distinct ones
   bool deterministic = false;                        ///< the method: its repeats from one start measure time only
   std::size_t contaminated = 0;                      ///< trials whose times are not to be trusted: `contamination`
-  std::size_t timed = 0;                             ///< trials that seconds come from: `timed_trials`
+  std::size_t timed = 0;                             ///< `timed_trials`, but failures that ran otherwise
   bool timed_alone = true;                           ///< false: none ran alone and undisturbed, seconds are of others
   std::optional<Quartiles> quality, relative_error;  ///< of the best points
   std::optional<Quartiles> data_quality;             ///< … without the prior's share (PointSummary)

@@ -9,7 +9,7 @@
 ///               failed trial has no quality at any budget: +∞. Where starts are several, those count that all
 ///               optimizers have, unless these are less than half: medians over other starts don't compare.
 ///               Disturbed trials (`contamination`) don't count under a budget of time, nor where the clock ended them,
-///               as long as the optimizer has others.
+///               as long as the optimizer has others; of those that failed as many count then as keep their share.
 /// Qualities     are compared as they are printed: to kToldDigits digits, and within 1e-9 of G_start − G*, or of G*
 ///               itself, of the best known as that. Equal digits are a tie, whatever a test of further digits would
 ///               say.

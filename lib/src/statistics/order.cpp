@@ -58,14 +58,14 @@ std::optional<std::pair<double, double>> median_interval(std::vector<double> val
   if (!(confidence > 0.0 && confidence < 1.0))
     throw std::invalid_argument("statistics: a confidence lies between 0 and 1");
   std::ranges::sort(values);
-  // P(Bin(n, ½) = k), k rising, until the tail is too heavy.
+  // P(Bin(n, ½) = k), k rising, until the tail is too heavy. By logarithms: 0.5ⁿ is 0 beyond 1,074 values.
   const auto n = static_cast<double>(values.size());
-  double chance = std::pow(0.5, n), tail = chance;
+  double log_chance = n * std::log(0.5), tail = std::exp(log_chance);
   std::size_t j = 0;
   while (tail <= 0.5 * (1.0 - confidence) && 2 * j < values.size()) {
     ++j;
-    chance *= (n - static_cast<double>(j) + 1.0) / static_cast<double>(j);
-    tail += chance;
+    log_chance += std::log((n - static_cast<double>(j) + 1.0) / static_cast<double>(j));
+    tail += std::exp(log_chance);
   }
   if (j == 0) return std::nullopt;
   return std::pair(values[j - 1], values[values.size() - j]);

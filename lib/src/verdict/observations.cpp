@@ -9,6 +9,7 @@
 #include <nodal/show/number_text.h>
 #include <nodal/statistics/order.h>
 
+#include "../failed_share.h"
 #include "../known_quality.h"
 #include "../never.h"
 
@@ -129,15 +130,20 @@ void keep_shared_starts(std::span<Observations* const> of_optimizers, const Tria
 Observations observe(const Contest& contest, const RowRequest& optimizer, const Limit& limit, const TrialStarts& starts,
                      const Told& told) {
   Observations found;
-  std::vector<const TrialRecord*> by_clock;
-  for (const TrialRecord* trial : contest.trials)
-    if (trial->optimizer == optimizer.label) (clock_counts(*trial, limit) ? by_clock : found.trials).push_back(trial);
+  std::vector<const TrialRecord*> own, by_clock, kept;
   const auto disturbed = [](const TrialRecord* trial) { return !contamination(*trial).empty(); };
-  found.disturbed = static_cast<std::size_t>(std::ranges::count_if(by_clock, disturbed));
+  for (const TrialRecord* trial : contest.trials) {
+    if (trial->optimizer != optimizer.label) continue;
+    own.push_back(trial);
+    const bool clocked = clock_counts(*trial, limit);
+    found.disturbed += clocked && disturbed(trial);
+    if (!is_failure(trial->end)) (clocked ? by_clock : kept).push_back(trial);
+  }
   const std::vector<const TrialRecord*> timed = timed_trials(by_clock);
   const bool only_disturbed = !timed.empty() && disturbed(timed.front());
-  found.only_disturbed = only_disturbed && found.trials.empty();
-  if (!only_disturbed || found.only_disturbed) found.trials.insert(found.trials.end(), timed.begin(), timed.end());
+  found.only_disturbed = only_disturbed && kept.empty();
+  if (!only_disturbed || found.only_disturbed) kept.insert(kept.end(), timed.begin(), timed.end());
+  found.trials = with_failed_share(own, kept);
   for (const Group& group : groups_of(found.trials, optimizer.deterministic, limit, starts)) {
     std::vector<double> qualities;
     int repeat = group.trials.front()->repeat;

@@ -49,6 +49,8 @@ TEST(Order, AnIntervalOfTheMedianIsOfOrderStatistics) {
   EXPECT_EQ(*ends(15), std::pair(4.0, 12.0));
   EXPECT_EQ(*ends(20), std::pair(6.0, 15.0));
   EXPECT_EQ(*ends(30), std::pair(10.0, 21.0));
+  EXPECT_EQ(*ends(1075), std::pair(505.0, 571.0));  // where 0.5ⁿ is 0
+  EXPECT_EQ(*ends(2000), std::pair(956.0, 1045.0));
   EXPECT_EQ(median_interval({1, 2, 3, kNever, kNever, kNever})->second, kNever);
   EXPECT_THROW((void)median_interval({1.0}, 1.0), std::invalid_argument);
 }
