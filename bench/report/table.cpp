@@ -79,11 +79,13 @@ std::string faster_text(const OptimizerRow& row, const OptimizerRow* baseline) {
 
 void add_errors(std::vector<Filler>& fillers, const ProblemReport& problem, bool has_error) {
   const auto error = [has_error](const OptimizerRow& r) { return has_error ? r.relative_error : r.quality; };
-  fillers.push_back(compared({{has_error ? "relative" : "quality", has_error ? "error" : "median",
-                               has_error ? "relative error: 0 is perfect, 1 is as bad as no displacement at all"
-                                         : "quality of the best point: smaller is better"},
-                              [error](const OptimizerRow& r) { return median_text(error(r)); },
-                              [error](const OptimizerRow& r) { return median_of(error(r)); }}));
+  fillers.push_back(
+      compared({{has_error ? "relative" : "quality", has_error ? "error" : "median",
+                 has_error ? "relative error: 0 is perfect, 1 is as bad as no displacement at all; of the "
+                             "trials that have a result"
+                           : "quality of the best point: smaller is better; of the trials that have one"},
+                [error](const OptimizerRow& r) { return median_text(error(r)); },
+                [error](const OptimizerRow& r) { return median_of(error(r)); }}));
   fillers.push_back({{"", "[quartiles]", "a quarter of the trials is below the first, a quarter above the second",
                       false, 3, "quartiles"},
                      [error](const OptimizerRow& r) { return spread_text(error(r)); }});
@@ -177,7 +179,8 @@ void add_findings(std::vector<Filler>& fillers, const ProblemReport& problem) {
 std::vector<const OptimizerRow*> best_first(const ProblemTable& table, bool has_error) {
   const auto key = [has_error](const OptimizerRow* row) {
     const std::optional<Quartiles>& q = has_error ? row->relative_error : row->quality;
-    const double printed = q ? rounded(q->median, kDigits) : kNever;
+    const bool mostly_failed = 2 * row->failed > row->trials;  // as in verdicts: the median of all trials is never
+    const double printed = q && !mostly_failed ? rounded(q->median, kDigits) : kNever;
     return std::tuple(printed, row->target(kDefaultGap).median[kSeconds].value_or(kNever));
   };
   std::vector<const OptimizerRow*> rows;

@@ -171,7 +171,8 @@ void Store::begin(const Study& study) {
   State& state = *state_;
   const fs::path path = state.directory / kManifest;
   const Value here = provenance();
-  for (const fs::path& folder : {state.directory / "trials", cache_of(state.directory)}) refuse_link(folder);
+  for (const char* folder : {"trials", "claims"}) refuse_link(state.directory / folder);
+  refuse_link(cache_of(state.directory));
   state.take_lock();
   if (const std::string other = other_study(state.manifest, study); !other.empty())
     state.warnings.push_back(fmt::format("'{}' {}: the report will show this one only; --out DIR keeps them apart",

@@ -55,7 +55,7 @@ class FullDisk {
 };
 
 TEST(StoreFaults, TrialsAndResultsAreNotWrittenElsewhere) {
-  for (const char* name : {"trials", "cache"}) {
+  for (const char* name : {"trials", "claims", "cache"}) {
     const TemporaryDirectory folder;
     fs::create_directories(folder.path() / "store");
     fs::create_directories(folder.path() / "elsewhere");

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <nodal/show/number_text.h>
 #include <report/report.h>
+#include <report/table.h>
 
 #include <algorithm>
 #include <sstream>
@@ -271,6 +272,19 @@ TEST(ConsoleTable, CallsTheQualityAsTheKindDoes) {
   EXPECT_NE(one.find("Gap = (Q − Q*)/(Q at the start − Q*)"), std::string::npos) << one;
   data.problems.push_back(fixture::make_problem());  // G
   EXPECT_NE(console_table(data).find("Gap = (quality − quality*)/"), std::string::npos);
+}
+
+// As in verdicts: its median trial has nothing, however good the others are.
+TEST(ConsoleTable, PutsLastWhatMostlyFailed) {
+  ReportData data = fixture::make_data();
+  std::vector<std::string> before = make_text_table(data.problems[0]).optimizers;
+  const auto best = std::ranges::find(data.problems[0].table.rows, before.front(), &OptimizerRow::label);
+  best->trials = 3;
+  best->failed = 1;
+  EXPECT_EQ(make_text_table(data.problems[0]).optimizers, before);
+  best->failed = 2;
+  std::ranges::rotate(before, before.begin() + 1);
+  EXPECT_EQ(make_text_table(data.problems[0]).optimizers, before);
 }
 
 // A best known quality that was given with one digit.
