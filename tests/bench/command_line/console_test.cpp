@@ -4,6 +4,7 @@
 #include <signal.h>
 
 #include <algorithm>
+#include <fstream>
 
 #include <nodal/store.h>
 
@@ -75,27 +76,44 @@ bool obeyed(const std::string& text) {
   return std::ranges::any_of(text, control) || contains(text, "\xC2\x9B") || contains(text, "\u202E");
 }
 
+constexpr const char* kShown = R"(\u001b[2J\u001b]0;owned\u0007\r\nfake line: 1 2 3\u009b31m)";
+
 TEST(Console, ShowsControlCharactersRatherThanObeyingThem) {
   const Folder folder;
-  std::string study = kQuickStudy;
-  study += std::string("label = \"") + kObeyed + "\"\n";
-  folder.write("quick.toml", study);
-  const Output output = run(folder, {"compare", "quick.toml"});
-  EXPECT_EQ(output.exit, 0) << output.err;
-  const std::string shown = R"(\u001b[2J\u001b]0;owned\u0007\r\nfake line: 1 2 3\u009b31m\u202e\u0000x)";
-  for (const std::string& text : {output.out, output.err}) {
-    EXPECT_TRUE(contains(text, shown)) << text;
-    EXPECT_FALSE(obeyed(text)) << text;
-    EXPECT_FALSE(contains(text, "\nfake line"));
+  folder.write("marked.toml", std::string(kQuickStudy) + "label = \"" + kObeyed + "\"\n");
+  for (const char* command : {"compare", "explain", "evaluate", "fit"}) {
+    const Output output = run(folder, {command, "marked.toml"});
+    EXPECT_EQ(output.exit, 2);
+    EXPECT_TRUE(contains(output.err, kShown)) << output.err;
+    EXPECT_FALSE(obeyed(output.out + output.err)) << command;
   }
+  folder.write("quick.toml", kQuickStudy);
   const Output error = run(folder, {"fit", "quick.toml", "--with", "\x1b[2J\nno"});
   EXPECT_EQ(error.exit, 2);
   EXPECT_TRUE(contains(error.err, R"(nodal: --with: '\u001b[2J\nno' is neither a label)")) << error.err;
   EXPECT_FALSE(obeyed(error.err));
-  for (const char* command : {"explain", "evaluate", "fit"}) {
-    const Output other = run(folder, {command, "quick.toml"});
-    EXPECT_FALSE(obeyed(other.out + other.err)) << command;
+}
+
+// A store may have any label, whoever made it.
+TEST(Console, ShowsControlCharactersOfStoredLabels) {
+  const Folder folder;
+  folder.write("quick.toml", std::string(kQuickStudy) + "label = \"marked\"\n");
+  ASSERT_EQ(run(folder, {"compare", "quick.toml"}).exit, 0);
+  const std::filesystem::path store = folder.path() / "results" / "quick";
+  std::vector<std::filesystem::path> files = {store / "manifest.json"};
+  for (const auto& entry : std::filesystem::directory_iterator(store / "trials")) files.push_back(entry.path());
+  for (const std::filesystem::path& file : files) {
+    std::string text = read_file(file);
+    const std::string label = "\"marked\"";
+    for (std::size_t at = 0; (at = text.find(label, at)) != std::string::npos;)
+      text.replace(at, label.size(), "\"" + std::string(kObeyed) + "\"");
+    std::ofstream(file) << text;
   }
+  const Output output = run(folder, {"report", "results/quick"});
+  EXPECT_EQ(output.exit, 0) << output.err;
+  EXPECT_TRUE(contains(output.out, kShown)) << output.out;
+  EXPECT_FALSE(obeyed(output.out + output.err));
+  EXPECT_FALSE(contains(output.out, "\nfake line"));
 }
 
 // A NUL doesn't cut a message off.
