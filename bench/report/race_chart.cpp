@@ -93,9 +93,15 @@ std::string height_title(const ProblemReport& problem, Raced raced) {
 }
 
 ChartLine line_named(const ProblemReport& problem, const std::string& optimizer) {
-  const auto place = std::ranges::find(problem.contestants, optimizer);
-  const auto number = static_cast<std::size_t>(place - problem.contestants.begin());
-  return {.label = optimizer, .style = number, .baseline = place == problem.contestants.end()};
+  ChartLine line{.label = optimizer};
+  for (const RowRequest& one : problem.contestants) {
+    if (one.label == optimizer) {
+      line.baseline = one.baseline;
+      break;
+    }
+    line.style += one.baseline ? 0 : 1;
+  }
+  return line;
 }
 
 bool has_gap(const ProblemReport& problem) {

@@ -166,8 +166,7 @@ ProblemReport make_problem(const NamedProblem& named, const Collection& all, con
   report.quality_name = kind.quality_name;
   report.quality_help = kind.quality_help;
   report.table = make_table(named.label, named.best_known, all.optimizers, all.records);
-  for (const RowRequest& optimizer : all.optimizers)
-    if (!optimizer.baseline) report.contestants.push_back(optimizer.label);
+  report.contestants = all.optimizers;
   report.error_per_quality = error_per_quality(records);
   report.best = best_of(records);
   if (kind.show_details) report.details = kind.show_details(named.details);

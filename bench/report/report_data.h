@@ -60,8 +60,8 @@ struct ProblemReport {
   std::string quality_help = {};
   std::vector<FindingDescription> findings;  ///< those of the kind, then others that records have, each by its name
   ProblemTable table;
-  std::vector<std::string> contestants = {};   ///< all optimizers of the study that are no baseline, in its order: by
-                                               ///< it a line looks the same in the charts of every problem
+  std::vector<RowRequest> contestants = {};    ///< all optimizers of the study, in its order: by it a line looks the
+                                               ///< same in the charts of every problem
   std::optional<double> error_per_quality;     ///< relative error / quality where that is one constant: curves hold
                                                ///< quality. None with a prior
   std::vector<OptimizerCurves> curves;         ///< in the table's order; optimizers without a point are left out

@@ -30,6 +30,7 @@ void add_optimizers(ProblemReport& problem, std::size_t total) {
     problem.table.rows.push_back(row);
     problem.curves.push_back(curves);
   }
+  fixture::name_contestants(problem);
 }
 
 // A problem without relative error, whose work is its evaluations, with a label that tries to break out.

@@ -64,6 +64,12 @@ inline std::vector<CurvePoint> make_curve_down(double from, double to, double be
   return curve;
 }
 
+/// After its rows are made.
+inline void name_contestants(ProblemReport& problem) {
+  problem.contestants.clear();
+  for (const OptimizerRow& row : problem.table.rows) problem.contestants.push_back({row.label, row.use, row.baseline});
+}
+
 inline ProblemReport make_problem() {
   ProblemReport problem;
   problem.kind = "elastic";
@@ -90,6 +96,7 @@ inline ProblemReport make_problem() {
   random.failed = 2;
   random.reasons = {"the plate broke"};
   problem.table.rows = {annealing, ceres, random};
+  name_contestants(problem);
 
   for (const OptimizerRow& row : problem.table.rows) {
     OptimizerCurves curves{row.label, {}};

@@ -12,6 +12,7 @@
 #include <report/race_chart.h>
 #include <report/report.h>
 
+#include "fixture.h"
 #include "made_store.h"
 
 namespace nodal::report {
@@ -247,6 +248,15 @@ TEST(Profiles, AnOptimizerLooksTheSameInEveryChart) {
   }
   ASSERT_EQ(colours.size(), 3u);
   for (const auto& [label, each] : colours) EXPECT_EQ(each.size(), 1u) << label;
+}
+
+// The baseline has a look of its own, everybody else a colour.
+TEST(Profiles, LinesOfARaceAreToldApart) {
+  const LineChart chart = race_chart(fixture::make_problem(), Raced::quality, Axis::seconds);
+  ASSERT_EQ(chart.lines.size(), 3u);
+  EXPECT_TRUE(chart.lines[0].baseline);
+  EXPECT_FALSE(chart.lines[1].baseline || chart.lines[2].baseline);
+  EXPECT_NE(chart.lines[1].style, chart.lines[2].style);
 }
 
 // From the race's left end, where evaluation 0 stands, to its right one; also where nothing is ever improved.
