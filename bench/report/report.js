@@ -230,6 +230,32 @@
     setTimeout(() => URL.revokeObjectURL(link.href), 10000);
   }
 
+  function offerSaving(box, save) {
+    for (const format of ["svg", "png"]) {
+      const button = document.createElement("button");
+      button.type = "button";
+      button.textContent = `Save as ${format.toUpperCase()}`;
+      button.addEventListener("click", () => save(format).catch((error) => console.error(error)));
+      box.append(button);
+    }
+  }
+
+  // A picture that stands in the page is a file already: its own colours are for white paper.
+  async function saveStill(figure, format) {
+    const svg = figure.querySelector("svg.lines").cloneNode(true), { width, height } = svg.viewBox.baseVal;
+    svg.setAttribute("width", width);
+    svg.setAttribute("height", height);
+    const text = new XMLSerializer().serializeToString(svg);
+    const name = figure.querySelector("figcaption").textContent.trim().replace(/[^\w-]+/g, "-");
+    if (format === "svg") return download(new Blob([text], { type: "image/svg+xml" }), `${name}.svg`);
+    const picture = new Image(), canvas = document.createElement("canvas");
+    picture.src = `data:image/svg+xml;charset=utf-8,${encodeURIComponent(text)}`;
+    await picture.decode();
+    [canvas.width, canvas.height] = [2 * width, 2 * height];
+    canvas.getContext("2d").drawImage(picture, 0, 0, canvas.width, canvas.height);
+    canvas.toBlob((blob) => download(blob, `${name}.png`), "image/png");
+  }
+
   class Race {
     constructor(figure) {
       this.figure = figure;
@@ -260,14 +286,7 @@
           if (name === "height" && !this.heights[input.dataset.height]) input.disabled = true;
           input.addEventListener("change", () => { this.state[name] = input.dataset[name]; this.show(); });
         }
-      const saving = this.figure.querySelector(".save");
-      for (const format of ["svg", "png"]) {
-        const button = document.createElement("button");
-        button.type = "button";
-        button.textContent = `Save as ${format.toUpperCase()}`;
-        button.addEventListener("click", () => this.save(format).catch((error) => console.error(error)));
-        saving.append(button);
-      }
+      offerSaving(this.figure.querySelector(".save"), (format) => this.save(format));
     }
 
     build(width, look) {
@@ -343,4 +362,11 @@
   vega.expressionFunction("xText", (x, unit) => (unit === "seconds" ? timeText(x) : tickText(x)));
 
   for (const figure of document.querySelectorAll("figure.race")) new Race(figure);
+
+  for (const figure of document.querySelectorAll("figure.lone")) {
+    const box = document.createElement("div");
+    box.className = "save";
+    offerSaving(box, (format) => saveStill(figure, format));
+    figure.querySelector("svg.lines").parentElement.after(box);
+  }
 })();

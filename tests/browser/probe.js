@@ -90,11 +90,11 @@ function audit() {
 
 // ── What a pointer and a keyboard do ──
 
-async function saved(kind) {
+async function saved(kind, figure) {
   let blob = null;
   const real = URL.createObjectURL;
   URL.createObjectURL = (given) => { blob = given; return "#"; };
-  all(".save button").find((b) => b.textContent.includes(kind)).click();
+  [...figure.querySelectorAll(".save button")].find((b) => b.textContent.includes(kind)).click();
   for (let i = 0; i < 40 && blob === null; ++i) await wait(50);
   URL.createObjectURL = real;
   return blob !== null && blob.size > 5000;
@@ -148,9 +148,10 @@ addEventListener("load", async () => {
     told = /after 0 iterations: 0[.]5/.test(panels[0].querySelector(".tip").textContent);
   }
   const sorted = sorts();
-  const files = [await saved("SVG"), await saved("PNG")].join(" ");
+  const saves = async (figure) => (figure ? [await saved("SVG", figure), await saved("PNG", figure)].join(" ") : "none");
+  const files = await saves(document.querySelector("figure.race")), stills = await saves(document.querySelector("figure.lone"));
   document.title = `PROBE races ${drawn} of ${races}, page ${wide}, plates ${plates}, ` +
     `lines ${before} ${chosen} ${hidden}, tip ${said}, thick ${thick}, ` +
-    `panels ${filled} of ${panels.length}, curves ${curves}, told ${told}, springs ${springs()}, sorts ${sorted}, saves ${files}, ` +
+    `panels ${filled} of ${panels.length}, curves ${curves}, told ${told}, springs ${springs()}, sorts ${sorted}, saves ${files}, stills ${stills}, ` +
     `audit ${audit()}`;
 });
