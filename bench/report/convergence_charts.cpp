@@ -48,8 +48,8 @@ std::array<double, 2> ends_in_race(const ProblemReport& problem, const std::stri
 // What was attained before the race's left end stands at that end; what is attained at last lasts to the right one.
 void keep_between(const std::array<double, 2>& ends, std::vector<ChartPoint>& points) {
   for (ChartPoint& point : points) point.x = std::max(point.x, ends[0]);
-  const auto [kept, end] = std::ranges::unique(points.rbegin(), points.rend(), {}, &ChartPoint::x);
-  points.erase(points.begin(), kept.base());
+  const auto in_one_place = [](const ChartPoint& a, const ChartPoint& b) { return a.x == b.x; };
+  points.erase(points.begin(), std::unique(points.rbegin(), points.rend(), in_one_place).base());
   if (points.empty() || points.back().x >= ends[1]) return;
   points.push_back(points.back());
   points.back().x = ends[1];
