@@ -283,7 +283,7 @@ TEST(ConsoleTable, PutsLastWhatMostlyFailed) {
   best->failed = 1;
   EXPECT_EQ(make_text_table(data.problems[0]).optimizers, before);
   best->failed = 2;
-  std::ranges::rotate(before, before.begin() + 1);
+  std::rotate(before.begin(), before.begin() + 1, before.end());
   EXPECT_EQ(make_text_table(data.problems[0]).optimizers, before);
 }
 
