@@ -15,7 +15,7 @@ function(nodal_set_defaults target)
     target_compile_options(${target} PRIVATE -fsanitize=${NODAL_SANITIZE} -fno-omit-frame-pointer
                                              -fno-sanitize-recover=undefined)
     # Calls and casts to a wrong type the code has no occasion for, and a pointer that wraps or leaves its object AddressSanitizer
-    # finds where it is used. These four cost half of the time to compile, five sixths of the lane kernels'.
+    # finds where it is used. These four cost a good part of the time to compile, five sixths of the lane kernels'.
     target_compile_options(${target} PRIVATE
                            $<$<CXX_COMPILER_ID:Clang>:-fno-sanitize=function,vptr,pointer-overflow,object-size>)
     target_link_options(${target} PUBLIC -fsanitize=${NODAL_SANITIZE})
