@@ -4,6 +4,7 @@
 /// The trials that a comparison has to run: handed out one by one, each claimed first where others write to the same
 /// store (trial_claims.h).
 ///
+/// Cost     a hash per trial of the study when it is made; where others share, some file operations per trial.
 /// Threads  one object, one thread.
 
 #include <cstddef>
