@@ -1,11 +1,21 @@
 #!/bin/sh
-# How the code is written: clang-format over every source, clang-tidy over the toolkit and the headers of all components.
-# `tests/style.sh` says what differs and ends with 1; `tests/style.sh --fix` lays the sources out. clang-tidy needs a
-# configured build, in which compile_commands.json is: `tests/style.sh --tidy build/release` (on two cores 5 minutes).
+# How the code is written: clang-format and the sections of comments over every source, clang-tidy over the toolkit and
+# the headers of all components. `tests/style.sh` says what differs and ends with 1; `tests/style.sh --fix` lays the
+# sources out. clang-tidy needs a configured build, in which compile_commands.json is:
+# `tests/style.sh --tidy build/release` (on two cores 5 minutes).
 set -eu
 cd "$(dirname "$0")/.."
 
 sources() { git ls-files '*.cpp' '*.h' '*.inl'; }
+
+# Laying out fills the lines of a comment, and so may take a section (Cost, Errors) into the prose before it.
+sections_begin_lines() {
+  section='(Shapes|Units|Cost|Memory|Errors|Threads|Needs|Source)(  +|: )[^ ]'
+  if sources | xargs grep -nE "//+<? .*[^ \"] +$section" >&2; then
+    echo "tests/style.sh: a section begins a line; put /// alone before it" >&2
+    return 1
+  fi
+}
 
 public_headers() { git ls-files 'lib/include/*.h' 'problems/*/include/*.h' 'bench/include/*.h'; }
 
@@ -32,8 +42,8 @@ tidy() {
 }
 
 case "${1:-}" in
-  "") sources | xargs clang-format-14 --dry-run -Werror ;;
-  --fix) sources | xargs clang-format-14 -i ;;
+  "") sources | xargs clang-format-14 --dry-run -Werror && sections_begin_lines ;;
+  --fix) sources | xargs clang-format-14 -i && sections_begin_lines ;;
   --tidy)
     # Beside findings clang-tidy counts warnings that it doesn't show.
     tidy "$2" 2>"$2/style.log" || { grep -v 'warnings generated' "$2/style.log" >&2; exit 1; }

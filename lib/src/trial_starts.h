@@ -10,7 +10,9 @@
 namespace nodal {
 
 /// Where the trials of one problem began, by the quality there: a trial that died doesn't say, but others of its repeat
-/// do. Cost: a look-up in a map per question.
+/// do.
+///
+/// Cost     a look-up in a map per question.
 class TrialStarts {
  public:
   explicit TrialStarts(std::span<const TrialRecord* const> of_problem);

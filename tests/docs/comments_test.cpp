@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What comments and pages name is there, and headers say units, costs and the like on lines of their own.
+// What comments and pages name is there.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -70,13 +70,6 @@ std::string comment_of(const std::string& line) {
   return std::regex_search(line, found, comment) ? found[2].str() : std::string();
 }
 
-// Whether a section has run into what stands before it, as reflowing leaves it.
-bool runs_into_prose(const std::string& comment) {
-  static const std::regex section(R"([^\s"] +(Shapes|Units|Cost|Memory|Errors|Threads|Needs|Source)(  +|: )\S)");
-  if (comment.find("  ") == std::string::npos && comment.find(": ") == std::string::npos) return false;
-  return std::regex_search(comment, section);
-}
-
 template <class Check>
 std::size_t for_each_source_line(Check check) {
   std::size_t files = 0;
@@ -98,8 +91,6 @@ TEST(Comments, AreSeenWithWhatTheyNameInVain) {
   EXPECT_EQ(missing_in("see nett.h, or (src/net/net.cpp2) or other/net.h."),
             (std::vector<std::string>{"nett.h", "other/net.h"}));
   EXPECT_EQ(missing_in("`problems/plastic/`"), (std::vector<std::string>{"problems/plastic"}));
-  EXPECT_TRUE(runs_into_prose("of the body. Units    metres."));
-  EXPECT_FALSE(runs_into_prose("Units    metres."));
 }
 
 TEST(Comments, NameFilesAndFoldersThatAreThere) {
@@ -107,12 +98,6 @@ TEST(Comments, NameFilesAndFoldersThatAreThere) {
     for (const std::string& name : missing_in(comment)) ADD_FAILURE() << where << " names " << name;
   });
   EXPECT_GT(files, 500u);
-}
-
-TEST(Comments, BeginALineWithEachSection) {
-  for_each_source_line([](const std::string& where, const std::string& comment) {
-    EXPECT_FALSE(runs_into_prose(comment)) << where << ": " << comment;
-  });
 }
 
 // Those about adding make the files that they name; they are followed.
