@@ -7,7 +7,6 @@
 #include <chrono>
 #include <cmath>
 #include <filesystem>
-#include <limits>
 #include <map>
 #include <optional>
 
@@ -56,15 +55,12 @@ report::ProblemReport* report_of(report::ReportData& data, const std::string& la
 struct Shown {
   ReportPart picture;
   std::vector<std::string> notes;
-  std::optional<double> digits = {};  // of the best point's quality
+  std::optional<double> digits = {}, known_digits = {};  // of the best point's quality, of the best known one's
 };
 
-std::optional<double> digits_of(const Exhibit& exhibit, const report::BestOfAll& best) {
-  const std::optional<double> exact = exhibit.exact_quality(exhibit.values(best.x));
-  if (!exact) return std::nullopt;
-  constexpr double kMost = std::numeric_limits<double>::digits10 + 1;
-  const double off = std::abs(best.quality - *exact) / std::abs(*exact);
-  return off > 0.0 ? std::clamp(-std::log10(off), 0.0, kMost) : kMost;
+std::optional<double> digits_of(const Exhibit& exhibit, double quality, std::span<const double> x) {
+  const std::optional<double> exact = exhibit.exact_quality(exhibit.values(x));
+  return exact ? std::optional(digits_that_hold(std::abs(quality - *exact) / std::abs(*exact))) : std::nullopt;
 }
 
 // Before and after: the start and the best point of the report; then the best points of the other optimizers.
@@ -77,7 +73,11 @@ Shown show(const StudyProblem& entry, const report::ProblemReport& own) {
     if (other.optimizer != own.best->optimizer && other.x.size() == start.size())
       points.push_back({other.optimizer, other.x});
   const std::shared_ptr<const Exhibit> exhibit = exhibit_of(*entry.problem);
-  return {exhibit->report(entry.label, points), exhibit->notes_at(exhibit->start()), digits_of(*exhibit, *own.best)};
+  const bool known = own.known_point.size() == start.size();
+  if (known) points.push_back({"best known", own.known_point});
+  return {exhibit->report(entry.label, points), exhibit->notes_at(exhibit->start()),
+          digits_of(*exhibit, own.best->quality, own.best->x),
+          known ? digits_of(*exhibit, own.known_quality, own.known_point) : std::nullopt};
 }
 
 void add(Shown shown, const std::string& label, report::ReportData& data) {
@@ -86,6 +86,7 @@ void add(Shown shown, const std::string& label, report::ReportData& data) {
   if (!own) return;
   own->notes = std::move(shown.notes);
   own->best->digits = shown.digits;
+  own->known_digits = shown.known_digits;
 }
 
 Value to_value(const Shown& shown) {
@@ -94,6 +95,7 @@ Value to_value(const Shown& shown) {
   table.set("style", shown.picture.style);
   table.set("script", shown.picture.script);
   if (shown.digits) table.set("digits", *shown.digits);
+  if (shown.known_digits) table.set("known_digits", *shown.known_digits);
   table.set("notes", Value(Value::List(shown.notes.begin(), shown.notes.end())));
   return table;
 }
@@ -101,11 +103,12 @@ Value to_value(const Shown& shown) {
 Shown to_shown(const Value& table) {
   Shown shown{{table.at("html").text(), table.at("style").text(), table.at("script").text()}, {}};
   if (const Value* digits = table.find("digits")) shown.digits = digits->number();
+  if (const Value* digits = table.find("known_digits")) shown.known_digits = digits->number();
   for (const Value& note : table.at("notes").list()) shown.notes.push_back(note.text());
   return shown;
 }
 
-// {"shown": {label: {html, style, script, digits, notes}}}, or {"refused": why}.
+// {"shown": {label: {html, style, script, digits, known_digits, notes}}}, or {"refused": why}.
 std::string stored_pictures(const Value& study, const Registry& registry, report::ReportData& data) {
   Value answer;
   try {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <functional>
+#include <span>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -8,7 +9,6 @@
 #include <nodal/show/html.h>
 #include <nodal/show/number_text.h>
 
-#include "axes.h"
 #include "chart/figures_table.h"
 #include "convergence_charts.h"
 #include "folded_table.h"
@@ -34,10 +34,10 @@ std::string targets_table(const ProblemConvergence& problem, const std::string& 
   return folded_table(title, head, rows);
 }
 
-std::string areas_table(const ProblemConvergence& problem) {
+std::string areas_table(const ProblemConvergence& problem, std::span<const Axis> counted) {
   TableRow head = {"optimizer"};
   std::vector<Axis> axes;
-  for (const Axis axis : kAxes)
+  for (const Axis axis : counted)
     if (const auto& limits = problem.limits[static_cast<std::size_t>(axis)]) {
       axes.push_back(axis);
       head.push_back(fmt::format("{} {} to {}, gap {} to {}", axis_name(axis), cost_text(limits->from, axis),
@@ -84,7 +84,7 @@ std::string budgets_table(const ReportData& data, const ProblemReport& problem) 
 std::string attainment(const ReportData& data, std::size_t index) {
   std::string text =
       "<details class=\"attained\"><summary>Attained by a quarter, half and three quarters of the trials</summary>\n";
-  for (const Axis axis : kAxes) {
+  for (const Axis axis : data.problems[index].table.axes) {
     const LineChart chart = attainment_chart(data.problems[index], data.convergence[index], axis);
     text += still_figure(chart, fmt::format("attained-{}-{}", index, to_string(axis)),
                          folded_figures(figures_table(chart)));
@@ -94,16 +94,17 @@ std::string attainment(const ReportData& data, std::size_t index) {
 
 std::string problem_tables(const ReportData& data, std::size_t index) {
   const ProblemConvergence& problem = data.convergence[index];
+  const std::vector<Axis>& axes = data.problems[index].table.axes;
   std::string text;
   if (data.convergence.size() > 1) text += "<h3>" + escape_html(problem.problem) + "</h3>\n";
   if (const std::string note = refused_text(problem); !note.empty())
     text += "<p class=\"note\">" + escape_html(note) + "</p>\n";
   text += budgets_table(data, data.problems[index]);
-  for (const Axis axis : kAxes)
+  for (const Axis axis : axes)
     text += targets_table(problem, fmt::format("Expected {} to a gap [95 % interval]", axis_name(axis)),
                           [axis](const TargetFigures& target) { return expected_text(target, axis); });
   text += targets_table(problem, "Success: distinct runs that reached a gap [Wilson's 95 % interval]", success_text);
-  return text + areas_table(problem) + attainment(data, index);
+  return text + areas_table(problem, axes) + attainment(data, index);
 }
 
 }  // namespace

@@ -7,7 +7,6 @@
 
 #include <fmt/format.h>
 
-#include "axes.h"
 #include "chart/svg_chart.h"
 #include "convergence_charts.h"
 #include "race_chart.h"
@@ -30,14 +29,14 @@ std::string stem_of(const std::string& label, std::set<std::string>& taken) {
 }
 
 void add(const ProblemReport& problem, Raced raced, const std::string& stem, std::vector<FigureFile>& files) {
-  for (const Axis axis : axes_of(problem))
+  for (const Axis axis : problem.table.axes)
     files.push_back(
         {fmt::format("{}-{}.svg", stem, axis_name(axis)), svg_chart_file(race_chart(problem, raced, axis))});
 }
 
 void add(const ProblemReport& problem, const ProblemConvergence& convergence, const std::string& stem,
          std::vector<FigureFile>& files) {
-  for (const Axis axis : kAxes)
+  for (const Axis axis : problem.table.axes)
     files.push_back({fmt::format("{}-attained-{}.svg", stem, axis_name(axis)),
                      svg_chart_file(attainment_chart(problem, convergence, axis))});
 }

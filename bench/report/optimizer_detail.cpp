@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 
 #include <fmt/format.h>
 
@@ -11,6 +12,14 @@ namespace nodal::report {
 namespace {
 
 constexpr std::size_t kRepeatPoints = 24;  // of a thin line among many
+
+// Those that said something; all where none did.
+std::vector<const TrialRecord*> telling(std::span<const TrialRecord* const> trials) {
+  std::vector<const TrialRecord*> telling;
+  std::ranges::copy_if(trials, std::back_inserter(telling),
+                       [](const TrialRecord* trial) { return !has_died(trial->end); });
+  return telling.empty() ? std::vector(trials.begin(), trials.end()) : telling;
+}
 
 RepeatDetail repeat_of(const TrialRecord* trial) {
   RepeatDetail detail;
@@ -21,9 +30,11 @@ RepeatDetail repeat_of(const TrialRecord* trial) {
     detail.quality = trial->best->summary.quality;
     detail.relative_error = trial->best->summary.relative_error;
   }
-  detail.evaluations = trial->counts.evaluations;
-  detail.seconds = trial->seconds.total;
-  detail.to_best = trial->seconds.to_best;
+  if (!has_died(trial->end)) {
+    detail.evaluations = trial->counts.evaluations;
+    detail.to_best = trial->seconds.to_best;
+  }
+  if (!has_died(trial->end) || trial->seconds.total > 0.0) detail.seconds = trial->seconds.total;
   detail.contamination = contamination(*trial);
   detail.curve = make_curve(std::array{trial}, Axis::seconds, kRepeatPoints);
   return detail;
@@ -102,7 +113,8 @@ OptimizerDetail detail_of(const std::string& label, const Value* requested, std:
     detail.reference = known->reference;
   }
   detail.knows_request = requested != nullptr;
-  detail.options = options_of(known ? known->options : none, requested, trials);
+  const std::vector<const TrialRecord*> told = telling(trials);
+  detail.options = options_of(known ? known->options : none, requested, told);
   for (const TrialRecord* trial : trials) {
     detail.repeats.push_back(repeat_of(trial));
     if (trial->conditions)
@@ -112,7 +124,7 @@ OptimizerDetail detail_of(const std::string& label, const Value* requested, std:
   }
   std::ranges::stable_sort(detail.repeats, {}, &RepeatDetail::repeat);
   detail.health = health_of(trials);
-  if (trials.front()->claimed) detail.status = trials.front()->claimed->status;
+  if (told.front()->claimed) detail.status = told.front()->claimed->status;
   return detail;
 }
 

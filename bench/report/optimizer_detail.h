@@ -21,10 +21,10 @@ struct RepeatDetail {
   End end = End::failed;
   std::string reason;
   std::optional<double> quality, relative_error;
-  std::int64_t evaluations = 0;
-  double seconds = 0.0, to_best = 0.0;
-  std::string contamination;      ///< empty for a clean one
-  std::vector<CurvePoint> curve;  ///< best quality so far over seconds
+  std::optional<std::int64_t> evaluations;  ///< empty where the trial's process died, like `to_best` …
+  std::optional<double> seconds, to_best;   ///< … and `seconds`, unless it was killed after some
+  std::string contamination;                ///< empty for a clean one
+  std::vector<CurvePoint> curve;            ///< best quality so far over seconds
 };
 
 /// An option as it was asked for and as it ran. What a study can't set, and what one wasn't asked for, is empty.
@@ -56,7 +56,7 @@ struct OptimizerDetail {
 };
 
 /// `requested`: the manifest's options of the optimizer; nullptr where an older build wrote it. Trials of one optimizer
-/// on one problem.
+/// on one problem, at least one; what those don't say whose process died is told of the others.
 [[nodiscard]] OptimizerDetail detail_of(const std::string& label, const Value* requested,
                                         std::span<const TrialRecord* const> trials, const Registry& registry);
 

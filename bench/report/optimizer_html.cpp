@@ -108,11 +108,13 @@ std::string repeat_row(const RepeatDetail& repeat, bool has_error) {
   const std::optional<double> figure = has_error ? repeat.relative_error : repeat.quality;
   std::string how = std::string(to_string(repeat.end)) + (repeat.reason.empty() ? "" : ": " + repeat.reason);
   if (!repeat.contamination.empty()) how += "; times not to be trusted: " + repeat.contamination;
+  const auto seconds = [](const std::optional<double>& s) { return s ? seconds_text(*s) : "–"; };
   return fmt::format(
       "<tr><th scope=\"row\">{}</th><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td class=\"words\">{}"
       "</td></tr>\n",
-      repeat.repeat, figure ? figure_text(*figure, 5) : "–", count_text(static_cast<double>(repeat.evaluations)),
-      seconds_text(repeat.to_best), seconds_text(repeat.seconds), escape_html(how));
+      repeat.repeat, figure ? figure_text(*figure, 5) : "–",
+      repeat.evaluations ? count_text(static_cast<double>(*repeat.evaluations)) : "–", seconds(repeat.to_best),
+      seconds(repeat.seconds), escape_html(how));
 }
 
 std::string repeats_html(const ProblemReport& problem, const OptimizerDetail& detail) {

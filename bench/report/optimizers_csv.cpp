@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include "axes.h"
 #include "csv_cells.h"
 #include "report.h"
 

@@ -8,7 +8,6 @@
 
 #include <nodal/show/number_text.h>
 
-#include "axes.h"
 #include "never.h"
 
 namespace nodal::report {
@@ -93,18 +92,11 @@ std::vector<statistics::Step> reached_by(std::span<const ProblemConvergence> pro
   return statistics::distribution(lengths);
 }
 
-bool same_everywhere(std::span<const ProblemConvergence> problems, Axis a, Axis b) {
-  const std::vector<std::string> names = names_of(problems);
-  return costs_of(problems, names, static_cast<std::size_t>(a)) ==
-         costs_of(problems, names, static_cast<std::size_t>(b));
-}
-
 }  // namespace
 
-std::vector<Profiles> make_profiles(std::span<const ProblemConvergence> problems) {
+std::vector<Profiles> make_profiles(std::span<const ProblemConvergence> problems, std::span<const Axis> axes) {
   std::vector<Profiles> all;
-  for (const Axis axis : kAxes) {
-    if (axis == Axis::work && same_everywhere(problems, Axis::evaluations, Axis::work)) continue;
+  for (const Axis axis : axes) {
     const auto index = static_cast<std::size_t>(axis);
     Profiles profiles;
     profiles.axis = axis;

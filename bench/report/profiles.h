@@ -29,8 +29,8 @@ struct Profiles {
   std::vector<std::vector<statistics::Step>> reached;
 };
 
-/// Of every axis on which some target was reached; work where it differs from evaluations. A pair of problem and
-/// optimizer without trials never gets there.
-[[nodiscard]] std::vector<Profiles> make_profiles(std::span<const ProblemConvergence> problems);
+/// Of each axis on which some target was reached. A pair of problem and optimizer without trials never gets there.
+[[nodiscard]] std::vector<Profiles> make_profiles(std::span<const ProblemConvergence> problems,
+                                                  std::span<const Axis> axes);
 
 }  // namespace nodal::report

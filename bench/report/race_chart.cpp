@@ -26,14 +26,6 @@ const std::vector<CurvePoint>& curve_of(const OptimizerCurves& curves, Axis axis
   return curves.by_axis[static_cast<std::size_t>(axis)];
 }
 
-// Problems that count no flops have work = evaluations.
-bool work_is_evaluations(const std::vector<OptimizerCurves>& curves) {
-  return std::ranges::all_of(curves, [](const OptimizerCurves& c) {
-    return std::ranges::equal(curve_of(c, Axis::evaluations), curve_of(c, Axis::work), {}, &CurvePoint::position,
-                              &CurvePoint::position);
-  });
-}
-
 // From what the curves hold to what is drawn.
 struct Height {
   double offset = 0.0, factor = 1.0;
@@ -65,17 +57,6 @@ std::optional<ChartRule> best_known(const ProblemReport& problem, Raced raced, c
 }
 
 }  // namespace
-
-std::vector<Axis> axes_of(const ProblemReport& problem) {
-  std::vector<Axis> axes = {Axis::seconds, Axis::evaluations};
-  if (std::ranges::any_of(problem.curves, [](const OptimizerCurves& c) {
-        return std::ranges::any_of(curve_of(c, Axis::factorizations),
-                                   [](const CurvePoint& p) { return p.position > 1.0; });
-      }))
-    axes.push_back(Axis::factorizations);
-  if (!work_is_evaluations(problem.curves)) axes.push_back(Axis::work);
-  return axes;
-}
 
 std::string_view axis_name(Axis axis) noexcept {
   return axis == Axis::seconds ? "time" : axis == Axis::work ? "flops" : to_string(axis);

@@ -17,8 +17,6 @@ enum class Raced {
   unseen    ///< error of what is held out
 };
 
-/// Those on which the curves differ: factorizations where anything was factorized, flops where they are counted.
-[[nodiscard]] std::vector<Axis> axes_of(const ProblemReport& problem);
 /// "time", "evaluations", "factorizations", "flops": what people choose between.
 [[nodiscard]] std::string_view axis_name(Axis axis) noexcept;
 /// With the unit: "flops [full evaluations]".

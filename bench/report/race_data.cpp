@@ -101,7 +101,7 @@ void set_reference(const ProblemReport& problem, Value& value) {
 }  // namespace
 
 Value race_data(const ProblemReport& problem, Raced raced) {
-  const std::vector<Axis> axes = axes_of(problem);
+  const std::vector<Axis>& axes = problem.table.axes;
   const bool unseen = raced == Raced::unseen;
   Value value;
   value.set("name", race_chart(problem, raced, Axis::seconds).title);

@@ -47,7 +47,7 @@ std::string still_html(const LineChart& chart, const std::string& id) {
 // The still picture is what is seen without a script, and printed; report.js puts its own chart in its place.
 std::string figure_html(const ProblemReport& problem, Raced raced, const std::string& id, const std::string& controls,
                         const std::string& caption) {
-  const std::vector<Axis> axes = axes_of(problem);
+  const std::vector<Axis>& axes = problem.table.axes;
   const LineChart still = race_chart(problem, raced, axes.front());
   return fmt::format(
       "<figure class=\"race\" id=\"{0}\">\n<div class=\"controls\">{1}</div>\n{3}<div class=\"chart\" role=\"img\" "
@@ -74,7 +74,7 @@ std::string chart_html(const ProblemReport& problem, std::size_t index) {
   if (problem.curves.empty()) return {};
   const std::string id = fmt::format("race-{}", index);
   const bool sampled = std::ranges::any_of(problem.table.rows, [](const OptimizerRow& row) { return row.starts > 1; });
-  return figure_html(problem, Raced::quality, id, axis_controls(id, axes_of(problem)) + height_controls(problem, id),
+  return figure_html(problem, Raced::quality, id, axis_controls(id, problem.table.axes) + height_controls(problem, id),
                      "Median over trials; the band holds the middle half of them. A dotted line goes on from where an "
                      "optimizer's trials ended." +
                          std::string(sampled && has_gap(problem)
@@ -88,7 +88,7 @@ std::string unseen_chart_html(const ProblemReport& problem, std::size_t index) {
   const std::string id = fmt::format("unseen-{}", index);
   return "<h3>What is held out</h3>\n" +
          figure_html(
-             problem, Raced::unseen, id, axis_controls(id, axes_of(problem)),
+             problem, Raced::unseen, id, axis_controls(id, problem.table.axes),
              fmt::format(
                  "Unseen error of the best point so far: root mean square of the relative errors in "
                  "{}, which no optimizer sees. Median over trials; the band holds the middle half.{}",

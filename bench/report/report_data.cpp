@@ -33,7 +33,9 @@ struct NamedProblem {
 std::optional<KnownOptimum> known_of(const Value& problem) {
   const Value* known = problem.find("best_known");
   if (!known || !known->find("quality")) return std::nullopt;
-  return KnownOptimum{known->at("quality").number(), known->text_or("origin", ""), {}};
+  const Value* x = known->find("x");
+  return KnownOptimum{known->at("quality").number(), known->text_or("origin", ""),
+                      x ? x->numbers() : std::vector<double>()};
 }
 
 // What of the merged stores a report is made from.
@@ -132,8 +134,7 @@ std::optional<BestOfAll> best_of(std::span<const TrialRecord* const> records) {
 template <class MakeCurve>
 OptimizerCurves curves_of(const std::string& optimizer, MakeCurve make) {
   OptimizerCurves curves{optimizer, {}};
-  for (const Axis axis : {Axis::seconds, Axis::evaluations, Axis::work, Axis::factorizations})
-    curves.by_axis[static_cast<std::size_t>(axis)] = make(axis);
+  for (const Axis axis : kAxes) curves.by_axis[static_cast<std::size_t>(axis)] = make(axis);
   return curves;
 }
 
@@ -167,6 +168,10 @@ ProblemReport make_problem(const NamedProblem& named, const Collection& all, con
   report.quality_help = kind.quality_help;
   report.table = make_table(named.label, named.best_known, all.optimizers, all.records);
   report.contestants = all.optimizers;
+  if (named.best_known) {
+    report.known_point = named.best_known->x;
+    report.known_quality = named.best_known->quality;
+  }
   report.error_per_quality = error_per_quality(records);
   report.best = best_of(records);
   if (kind.show_details) report.details = kind.show_details(named.details);
@@ -175,13 +180,17 @@ ProblemReport make_problem(const NamedProblem& named, const Collection& all, con
   std::erase_if(report.table.rows, [](const OptimizerRow& row) { return row.trials == 0; });
   report.findings = findings_of(kind, report.table.rows);
   for (const RowRequest& optimizer : all.optimizers) {
-    std::vector<const TrialRecord*> trials;
+    std::vector<const TrialRecord*> all_trials, trials;  // some died without a word
     for (const TrialRecord* record : records)
-      if (record->optimizer == optimizer.label && !record->trace.empty()) trials.push_back(record);
+      if (record->optimizer == optimizer.label) {
+        all_trials.push_back(record);
+        if (!record->trace.empty()) trials.push_back(record);
+      }
+    if (all_trials.empty()) continue;
+    report.optimizers.push_back(detail_of(optimizer.label, all.requested(optimizer.label), all_trials, registry));
     if (trials.empty()) continue;
     add_curves(optimizer.label, trials, report);
     if (std::optional<BestOfAll> own = best_of(trials)) report.bests.push_back(std::move(*own));
-    report.optimizers.push_back(detail_of(optimizer.label, all.requested(optimizer.label), trials, registry));
     report.scrutiny.optimizers.push_back({optimizer.label, claims_seen(trials), first_to_rest(trials)});
   }
   report.scrutiny.aliases = aliases(records);
@@ -222,6 +231,19 @@ void leave_out_untried(std::vector<ProblemReport>& problems, std::vector<std::st
   std::erase_if(problems, [&](const ProblemReport& problem) { return !tried(problem); });
 }
 
+// Without flops work is in evaluations, which is as good; without factorizations all of them cost none.
+std::vector<Axis> common_axes(const std::vector<ProblemReport>& problems) {
+  const auto has = [](Axis axis) {
+    return [axis](const ProblemReport& problem) {
+      return std::ranges::find(problem.table.axes, axis) != problem.table.axes.end();
+    };
+  };
+  std::vector<Axis> axes = {Axis::seconds, Axis::evaluations};
+  if (std::ranges::all_of(problems, has(Axis::factorizations))) axes.push_back(Axis::factorizations);
+  if (std::ranges::any_of(problems, has(Axis::work))) axes.push_back(Axis::work);
+  return axes;
+}
+
 std::vector<Contest> contests_of(const std::vector<ProblemReport>& problems, const Collection& all) {
   std::vector<Contest> contests;
   for (const ProblemReport& problem : problems) {
@@ -255,7 +277,7 @@ ReportData collect(std::span<const Store> stores, const Registry& registry) {
     data.convergence.push_back(converge(contests[i], data.problems[i].table, all.scope.seconds, all.scope.evaluations));
     data.problems[i].least_gap = data.convergence.back().least_gap;
   }
-  data.profiles = make_profiles(data.convergence);
+  data.profiles = make_profiles(data.convergence, common_axes(data.problems));
   data.answer = make_answer(contests, std::move(all.scope));
   for (const TrialRecord& record : all.records)
     if (is_failure(record.end))

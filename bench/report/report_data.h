@@ -29,7 +29,7 @@ namespace nodal::report {
 /// Best quality so far of one optimizer, or its unseen error there, over each axis.
 struct OptimizerCurves {
   std::string optimizer;
-  std::array<std::vector<CurvePoint>, 4> by_axis;  ///< by Axis
+  ByAxis<std::vector<CurvePoint>> by_axis;
 };
 
 /// The best point of all trials on a problem, which is drawn.
@@ -67,7 +67,10 @@ struct ProblemReport {
   std::vector<OptimizerCurves> curves;         ///< in the table's order; optimizers without a point are left out
   std::vector<OptimizerCurves> unseen_curves;  ///< the same of unseen errors
   std::optional<BestOfAll> best;
-  std::vector<BestOfAll> bests = {};  ///< of each optimizer, the best first: the first one is `best`
+  std::vector<BestOfAll> bests = {};        ///< of each optimizer, the best first: the first one is `best`
+  std::vector<double> known_point = {};     ///< of the best known quality that was given, where its point was, too …
+  double known_quality = 0.0;               ///< … and that quality
+  std::optional<double> known_digits = {};  ///< … and its digits, as BestOfAll has them
   Scrutiny scrutiny = {};
   Ends ends = {};
   std::vector<OptimizerDetail> optimizers = {};  ///< in the table's order

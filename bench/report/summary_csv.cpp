@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 
-#include "axes.h"
 #include "csv_cells.h"
 #include "report.h"
 

@@ -180,6 +180,13 @@ std::optional<std::string> digits_note(const ProblemReport& problem) {
       std::floor(*problem.best->digits));
 }
 
+std::optional<std::string> known_digits_note(const ProblemReport& problem) {
+  if (!problem.known_digits) return std::nullopt;
+  return fmt::format(
+      "Of the best known {} that was given, {:.12g}, {:.0f} digits hold in arithmetic of 50 at its point.",
+      problem.raced_name(), problem.known_quality, std::floor(*problem.known_digits));
+}
+
 }  // namespace
 
 std::vector<std::string> table_notes(const ProblemReport& problem) {
@@ -189,7 +196,7 @@ std::vector<std::string> table_notes(const ProblemReport& problem) {
   for (std::optional<std::string>& note :
        std::array{disturbed_note(table.rows), timed_note(table.rows), beside_note(table.rows), worse_unseen_note(table),
                   risen_unseen_note(table), missing_unseen_note(table), validated_note(table), floor_note(problem),
-                  digits_note(problem), refused_note(problem)})
+                  digits_note(problem), known_digits_note(problem), refused_note(problem)})
     if (note) notes.push_back(std::move(*note));
   add_scrutiny(problem.scrutiny, notes);
   return notes;

@@ -13,7 +13,6 @@
 #include <nodal/agreement.h>
 #include <nodal/statistics/order.h>
 
-#include "axes.h"
 #include "known_quality.h"
 #include "never.h"
 #include "trial_starts.h"
@@ -43,9 +42,6 @@ double work_at(const TrialRecord& record, std::int64_t evaluation, std::int64_t 
                            share(with_start(evaluation), with_start(record.counts.evaluations));
   return flops / record.flops_per_value;
 }
-
-// A trial whose process was killed or died left no figures: it counts as failed, not as one that took no time.
-bool has_figures(const TrialRecord& record) { return record.end != End::timeout && record.end != End::crashed; }
 
 template <class Get>
 std::optional<Quartiles> quartiles_of(std::span<const TrialRecord* const> trials, Get get) {
@@ -143,7 +139,7 @@ TargetRow target_row(std::span<const TrialRecord* const> trials, const ProblemRe
   TargetRow row;
   row.gap = gap;
   std::map<std::optional<double>, FromStart> by_start;
-  std::array<std::vector<std::optional<double>>, kAxes.size()> when;
+  ByAxis<std::vector<std::optional<double>>> when;
   const std::vector<const TrialRecord*> timed = timed_trials(trials);
   for (const TrialRecord* trial : trials) {
     const Arrival arrival = arrival_of(*trial, reference, gap);
@@ -218,7 +214,7 @@ OptimizerRow make_row(const RowRequest& request, std::span<const TrialRecord* co
   };
   const auto count = [](auto member) {
     return [member](const TrialRecord& t) {
-      return has_figures(t) ? std::optional(static_cast<double>(member(t))) : std::nullopt;
+      return has_died(t.end) ? std::nullopt : std::optional(static_cast<double>(member(t)));
     };
   };
   row.quality = quartiles_of(trials, best(&PointSummary::quality));
@@ -350,6 +346,18 @@ std::optional<UnseenSummary> summarize_unseen(const std::vector<const TrialRecor
   return summary;
 }
 
+std::vector<Axis> axes_of(const std::vector<const TrialRecord*>& trials) {
+  std::vector<Axis> axes = {Axis::seconds, Axis::evaluations};
+  if (std::ranges::any_of(trials, [](const TrialRecord* t) { return t->work.factorizations > 1; }))
+    axes.push_back(Axis::factorizations);
+  // Without flops work is in evaluations.
+  if (std::ranges::any_of(trials, [](const TrialRecord* t) {
+        return end_position(*t, Axis::work) != end_position(*t, Axis::evaluations);
+      }))
+    axes.push_back(Axis::work);
+  return axes;
+}
+
 }  // namespace
 
 ProblemTable make_table(const std::string& problem_label, const std::optional<KnownOptimum>& best_known,
@@ -370,6 +378,7 @@ ProblemTable make_table(const std::string& problem_label, const std::optional<Kn
       table.start_is_best = starts_at_best(trial->start, table.reference);
       break;
     }
+  table.axes = axes_of(trials);
   table.unseen = summarize_unseen(trials);
   const TrialStarts starts(trials);
   for (const RowRequest& request : optimizers) {

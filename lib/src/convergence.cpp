@@ -8,7 +8,6 @@
 
 #include <nodal/random.h>
 
-#include "axes.h"
 #include "known_quality.h"
 #include "never.h"
 
@@ -32,12 +31,10 @@ Trials trials_of(const Contest& contest, const std::string& optimizer) {
 
 Trials counting(const Trials& trials, Axis axis) { return axis == Axis::seconds ? timed_trials(trials) : trials; }
 
-bool has_died(const TrialRecord& trial) { return trial.end == End::timeout || trial.end == End::crashed; }
-
 double longest_end(const Contest& contest, Axis axis) {
   double longest = 0.0;
   for (const TrialRecord* trial : contest.trials)
-    if (!has_died(*trial)) longest = std::max(longest, end_position(*trial, axis));
+    if (!has_died(trial->end)) longest = std::max(longest, end_position(*trial, axis));
   return longest;
 }
 
@@ -45,7 +42,7 @@ double longest_end(const Contest& contest, Axis axis) {
 statistics::RunLength length_of(const TrialRecord& trial, const ProblemReference& reference, double gap, Axis axis,
                                 double longest) {
   const double end = end_position(trial, axis);
-  return {gap_reached(trial, reference, gap, axis), has_died(trial) ? std::max(longest, end) : end};
+  return {gap_reached(trial, reference, gap, axis), has_died(trial.end) ? std::max(longest, end) : end};
 }
 
 bool all_alike(const std::vector<statistics::RunLength>& lengths) {

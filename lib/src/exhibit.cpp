@@ -43,6 +43,17 @@ std::vector<double> Exhibit::read(const std::filesystem::path& /*file*/) const {
   throw Refusal("this problem reads no values from a file");
 }
 
+std::optional<std::vector<double>> Exhibit::point(std::span<const double> /*values*/) const {
+  throw Refusal("this problem doesn't say at which point a system is");
+}
+
+std::optional<std::vector<double>> PlainExhibit::point(std::span<const double> values) const {
+  const Space& space = problem_.space();
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (!(space.lower()[i] <= values[i] && values[i] <= space.upper()[i])) return std::nullopt;
+  return std::vector(values.begin(), values.end());
+}
+
 std::unique_ptr<ShownSystem> PlainExhibit::show(const std::string& label, std::span<const double> values) const {
   return std::make_unique<PlainSystem>(problem_, label, values);
 }

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 #include <fmt/format.h>
@@ -13,14 +12,6 @@
 namespace nodal {
 
 namespace {
-
-constexpr double kMostDigits = std::numeric_limits<double>::digits10 + 1;
-
-// How many digits of the race's cost the fresh one has; as many as doubles have where they are equal.
-double agreeing_digits(double seen, double fresh) {
-  const double drift = relative_drift(seen, fresh);
-  return drift > 0.0 ? std::clamp(-std::log10(drift), 0.0, kMostDigits) : kMostDigits;
-}
 
 // max_i |P(x − g)_i − x_i| is not changed by the unit of the cost once it is divided by it: long steps end at a bound,
 // so the gradient is made relative first.
@@ -45,7 +36,7 @@ IndependentLook look_independently(const Problem& problem, std::span<const doubl
     if (contradicts(seen, fresh.cost))
       look.refuted = fmt::format("the race saw a cost of {:.6g} at the best point, an evaluator of its own says {:.6g}",
                                  seen, fresh.cost);
-    look.record = AuditRecord{.digits = agreeing_digits(seen, fresh.cost)};
+    look.record = AuditRecord{.digits = digits_that_hold(relative_drift(seen, fresh.cost))};
     if (!problem.abilities().gradient || !(fresh.cost > kPerfectCost)) return look;
     std::vector<double> gradient(x.size());
     const bool known = evaluator->value_and_gradient(x, gradient).ok() &&

@@ -58,6 +58,8 @@ Value problem_part(const StudyProblem& problem) {
     Value known;
     known.set("quality", problem.best_known->quality);
     known.set("origin", problem.best_known->origin);
+    if (const std::vector<double>& x = problem.best_known->x; !x.empty())
+      known.set("x", Value(Value::List(x.begin(), x.end())));
     part.set("best_known", known);
   }
   if (Value details = problem.problem->details(); !details.table().empty()) part.set("details", std::move(details));

@@ -175,7 +175,9 @@ void describe(Archive& archive, T& record,
 
 std::string_view to_string(End end) noexcept { return kEndNames[static_cast<int>(end)]; }
 
-bool is_failure(End end) noexcept { return end == End::failed || end == End::timeout || end == End::crashed; }
+bool has_died(End end) noexcept { return end == End::timeout || end == End::crashed; }
+
+bool is_failure(End end) noexcept { return end == End::failed || has_died(end); }
 
 std::string to_json_line(const TrialRecord& record) {
   const WorkAndUnit work{record.work, record.flops_per_value};

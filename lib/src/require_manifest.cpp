@@ -64,6 +64,7 @@ void check_problem(const Checked& problem) {
   problem.with("best_known", [](const Checked& known) {
     known.require(&Value::is_table, "a table").texts({"origin"});
     known.with("quality", [](const Checked& quality) { quality.require(&Value::is_number, "a number"); });
+    known.each("x", [](const Checked& x) { x.require(&Value::is_number, "a number"); });
   });
 }
 

@@ -8,30 +8,30 @@ namespace nodal {
 
 namespace {
 
+constexpr std::string_view kNames[] = {"a boolean", "an integer", "a number", "a text", "a list", "a table"};
+
 template <class T, class Data>
-auto& held(Data& data, std::string_view wanted, std::string_view actual) {
+auto& held(Data& data, std::string_view wanted) {
   if (auto* value = std::get_if<T>(&data)) return *value;
-  throw std::logic_error("a value was read as " + std::string(wanted) + ", but is " + std::string(actual));
+  throw std::logic_error("a value was read as " + std::string(wanted) + ", but is " +
+                         std::string(kNames[data.index()]));
 }
 
 }  // namespace
 
-std::string_view Value::type_name() const noexcept {
-  constexpr std::string_view kNames[] = {"a boolean", "an integer", "a number", "a text", "a list", "a table"};
-  return kNames[data_.index()];
-}
+std::string_view Value::type_name() const noexcept { return kNames[data_.index()]; }
 
-bool Value::boolean() const { return held<bool>(data_, "a boolean", type_name()); }
-std::int64_t Value::integer() const { return held<std::int64_t>(data_, "an integer", type_name()); }
+bool Value::boolean() const { return held<bool>(data_, "a boolean"); }
+std::int64_t Value::integer() const { return held<std::int64_t>(data_, "an integer"); }
 double Value::number() const {
   if (is_integer()) return static_cast<double>(integer());
-  return held<double>(data_, "a number", type_name());
+  return held<double>(data_, "a number");
 }
-const std::string& Value::text() const { return held<std::string>(data_, "a text", type_name()); }
-const Value::List& Value::list() const { return held<List>(data_, "a list", type_name()); }
-const Value::Table& Value::table() const { return held<Table>(data_, "a table", type_name()); }
-Value::List& Value::list() { return held<List>(data_, "a list", type_name()); }
-Value::Table& Value::table() { return held<Table>(data_, "a table", type_name()); }
+const std::string& Value::text() const { return held<std::string>(data_, "a text"); }
+const Value::List& Value::list() const { return held<List>(data_, "a list"); }
+const Value::Table& Value::table() const { return held<Table>(data_, "a table"); }
+Value::List& Value::list() { return held<List>(data_, "a list"); }
+Value::Table& Value::table() { return held<Table>(data_, "a table"); }
 
 std::vector<double> Value::numbers() const {
   std::vector<double> numbers;

@@ -198,6 +198,20 @@ TEST(Table, StatesQuartilesOfTheBestPoints) {
   expect_quartiles(table.rows[1].work, 20.0, 20.0, 20.0);
 }
 
+// Flops are counted where a full value has a number of them.
+TEST(Table, SaysByWhatTrialsCanBeToldApart) {
+  const std::vector<RowRequest> rows = {{"a", "a", false}};
+  std::vector<TrialRecord> records = {trial("a", 0, {}), trial("a", 1, {})};
+  const auto axes = [&] { return make_table("p", std::nullopt, rows, records).axes; };
+  for (TrialRecord& record : records) record.work.factorizations = 1;
+  EXPECT_EQ(axes(), (std::vector{Axis::seconds, Axis::evaluations}));
+  records[1].work.factorizations = 2;
+  EXPECT_EQ(axes(), (std::vector{Axis::seconds, Axis::evaluations, Axis::factorizations}));
+  records[0].work.flops = 50;
+  records[0].flops_per_value = 100.0;
+  EXPECT_EQ(axes(), (std::vector{Axis::seconds, Axis::evaluations, Axis::factorizations, Axis::work}));
+}
+
 TEST(Table, CountsFailuresAndNamesEachReasonOnce) {
   std::vector<TrialRecord> records;
   for (int r = 0; r < 6; ++r) records.push_back(trial("a", r, {}));

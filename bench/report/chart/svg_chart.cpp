@@ -10,6 +10,7 @@
 
 #include "end_labels.h"
 #include "line_styles.h"
+#include "path_text.h"
 #include "ticks.h"
 
 namespace nodal::report {
@@ -119,37 +120,42 @@ class Drawn {
   }
 
   // A height over all points, forwards: what a path goes through after its first place.
-  [[nodiscard]] std::string through(const ChartLine& line, double ChartPoint::*height, bool backwards) const {
-    std::string text;
+  void go_through(const ChartLine& line, double ChartPoint::*height, bool backwards, PathText& path) const {
     const std::size_t n = line.points.size();
-    // What lies between two places of its own height adds nothing to a level line.
-    const auto level_at = [&](std::size_t i) {
-      return std::lround(10.0 * y(line.points[backwards ? n - 1 - i : i].*height));
-    };
+    const auto point = [&](std::size_t i) -> const ChartPoint& { return line.points[backwards ? n - 1 - i : i]; };
+    const auto level_at = [&](std::size_t i) { return PathText::tenths(y(point(i).*height)); };
     for (std::size_t i = 0; i < n; ++i) {
-      const ChartPoint& p = line.points[backwards ? n - 1 - i : i];
-      const double at = x(p.x), level = y(p.*height);
-      if (i > 0 && i + 1 < n && level_at(i - 1) == level_at(i) && level_at(i) == level_at(i + 1)) continue;
-      if (line.steps && i > 0)
-        text += backwards ? fmt::format("V{:.1f}H{:.1f}", level, at) : fmt::format("H{:.1f}V{:.1f}", at, level);
+      // What lies between two places of its own height adds nothing to a level line.
+      const long level = level_at(i);
+      if (i > 0 && i + 1 < n && level_at(i - 1) == level && level_at(i + 1) == level) continue;
+      const long at = PathText::tenths(x(point(i).x));
+      if (i == 0 && !backwards) path.start(at, level);
+      if (!line.steps)
+        path.line_to(at, level);
+      else if (backwards)
+        path.up_to(level).across_to(at);
       else
-        text += fmt::format("{}{:.1f} {:.1f}", i == 0 && !backwards ? 'M' : 'L', at, level);
+        path.across_to(at).up_to(level);
     }
-    return text;
   }
 
   [[nodiscard]] std::string curve(const ChartLine& line) const {
+    PathText path;
+    go_through(line, &ChartPoint::y, false, path);
     const LineStyle style = style_of(line);
     const std::string dash = style.dash.empty() ? "" : fmt::format(" stroke-dasharray=\"{}\"", style.dash);
     return fmt::format("<path class=\"curve\" fill=\"none\" stroke-width=\"{}\" stroke-linejoin=\"round\"{} d=\"{}\"/>",
                        line.thin       ? "0.8"
                        : line.baseline ? "2.4"
                                        : "1.8",
-                       line.thin ? "" : dash, through(line, &ChartPoint::y, false));
+                       line.thin ? "" : dash, path.text());
   }
 
   [[nodiscard]] std::string band(const ChartLine& line) const {
-    return through(line, &ChartPoint::lower, false) + through(line, &ChartPoint::upper, true) + "Z";
+    PathText path;
+    go_through(line, &ChartPoint::lower, false, path);
+    go_through(line, &ChartPoint::upper, true, path);
+    return path.text() + "Z";
   }
 
   [[nodiscard]] std::string end_labels() const {

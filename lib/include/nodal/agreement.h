@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace nodal {
 
@@ -22,6 +23,12 @@ inline constexpr double kLargestContradiction = 1e-6;
 /// |seen − fresh| relative to the fresh cost, or to a perfect one where that is larger.
 [[nodiscard]] inline double relative_drift(double seen, double fresh) noexcept {
   return std::abs(seen - fresh) / std::max(std::abs(fresh), kPerfectCost);
+}
+
+/// How many digits of a number hold that is off by this share of itself: as many as doubles have, at most.
+[[nodiscard]] inline double digits_that_hold(double off) noexcept {
+  constexpr double kMost = std::numeric_limits<double>::digits10 + 1;
+  return off > 0.0 ? std::clamp(-std::log10(off), 0.0, kMost) : kMost;
 }
 
 /// True when the fresh cost refutes what was seen: it is worse by more than 1e-6 of itself and by more than

@@ -31,8 +31,12 @@
 
 namespace nodal {
 
-/// What a trial is measured by. The arrays below are by the first three; factorizations are an axis of charts.
+/// What the cost of a trial is counted in; factorizations are 0 of problems that count none.
 enum class Axis { seconds, evaluations, work, factorizations };
+inline constexpr std::array kAxes = {Axis::seconds, Axis::evaluations, Axis::work, Axis::factorizations};
+/// Something for each, where `kAxes` has it.
+template <class Figure>
+using ByAxis = std::array<Figure, kAxes.size()>;
 [[nodiscard]] std::string_view to_string(Axis axis) noexcept;
 
 /// Gaps at which time to target is stated.
@@ -70,10 +74,10 @@ struct ProblemReference {
 
 struct TargetRow {
   double gap = 0.0;
-  std::size_t runs = 0, reached = 0;              ///< distinct runs, and how many of these got to the gap
-  double success_rate = 0.0;                      ///< reached / runs
-  std::array<std::optional<double>, 3> median;    ///< by Axis; empty: never
-  std::array<std::optional<double>, 3> multiple;  ///< baseline's median over this one's; empty: never or no baseline
+  std::size_t runs = 0, reached = 0;       ///< distinct runs, and how many of these got to the gap
+  double success_rate = 0.0;               ///< reached / runs
+  ByAxis<std::optional<double>> median;    ///< empty: never
+  ByAxis<std::optional<double>> multiple;  ///< baseline's median over this one's; empty: never or no baseline
 };
 
 /// Medians over trials.
@@ -115,6 +119,9 @@ struct UnseenSummary {
 struct ProblemTable {
   ProblemReference reference;
   std::optional<double> start_quality, start_relative_error;
+  std::vector<Axis> axes;  ///< by which its trials can be told apart, as people choose between them: seconds,
+                           ///< evaluations, factorizations where anything was factorized twice, work where it is
+                           ///< counted in flops
   bool has_prior = false;  ///< qualities, gaps and curves have a prior's share in them; relative errors haven't
   std::optional<UnseenSummary> unseen;  ///< of the first trial that has any
   bool start_is_best = false;           ///< `starts_at_best` of that start

@@ -26,10 +26,6 @@ namespace nodal {
 
 inline constexpr std::size_t kResamples = 1000;
 
-/// By Axis.
-template <class Figure>
-using ByAxis = std::array<Figure, 3>;
-
 struct TargetFigures {
   double gap = 0.0;
   std::optional<statistics::SuccessRate> success;        ///< of distinct runs, with Wilson's interval

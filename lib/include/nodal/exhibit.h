@@ -82,6 +82,10 @@ class Exhibit {
   /// Values from a file that people name. InputError for what is wrong in it; Refusal by a problem that reads none.
   [[nodiscard]] virtual std::vector<double> read(const std::filesystem::path& file) const;
 
+  /// The point of the space that has these values, as far as people write them; empty where none has, for a bound or
+  /// for parts that move together. Refusal by a problem that doesn't say.
+  [[nodiscard]] virtual std::optional<std::vector<double>> point(std::span<const double> values) const;
+
   /// The quality of values by arithmetic of more digits than doubles have, rounded at the end: it says how many digits
   /// of a best known quality hold. Empty where there is no such arithmetic, or it would take longer than a second.
   [[nodiscard]] virtual std::optional<double> exact_quality(std::span<const double> /*values*/) const {
@@ -135,6 +139,7 @@ class PlainExhibit : public Exhibit {
 
   [[nodiscard]] std::vector<double> values(std::span<const double> x) const override { return {x.begin(), x.end()}; }
   [[nodiscard]] std::vector<double> start() const override { return values(problem_.space().start()); }
+  [[nodiscard]] std::optional<std::vector<double>> point(std::span<const double> values) const override;
   [[nodiscard]] std::unique_ptr<ShownSystem> show(const std::string& label,
                                                   std::span<const double> values) const override;
   [[nodiscard]] std::vector<ExportFormat> formats() const override;

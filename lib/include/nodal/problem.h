@@ -41,7 +41,7 @@ struct Abilities {
   [[nodiscard]] std::vector<std::string> names() const;
 };
 
-/// The best quality known, and who says so. x is there only when it is known exactly.
+/// The best quality known, who says so, and the point that has it where somebody has said that.
 struct KnownOptimum {
   double quality = 0.0;
   std::string origin;

@@ -131,6 +131,8 @@ inline constexpr double kShortestToldSeconds = 0.02;
 
 /// Ended failed, timeout or crashed.
 [[nodiscard]] bool is_failure(End end) noexcept;
+/// The trial's process was killed or died: it left no figures but, where it was killed, how long it ran.
+[[nodiscard]] bool has_died(End end) noexcept;
 
 /// A record or store of a newer schema than this build knows: somebody's result, to be left alone.
 class NewerSchemaError : public InputError {

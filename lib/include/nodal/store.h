@@ -65,10 +65,10 @@ class Store {
   [[nodiscard]] std::optional<int> other_writer() const noexcept;
 
   /// The manifest as it stands: {schema, study: {name, file, directory, seed, repeats, text}, problems: [{label, kind,
-  /// options, inputs, best_known: {quality, origin}, details}], optimizers: [{label, use, baseline, multi_start,
+  /// options, inputs, best_known: {quality, origin, x}, details}], optimizers: [{label, use, baseline, multi_start,
   /// deterministic, options}], left_out: [{label, use, reason}], keys: [the current study's trials], runs: [{began,
-  /// build, provenance}]}; inputs, best_known and details where there are any, and options but in old ones. But for the
-  /// runs, whatever is there is of its right type. Empty table for a new store.
+  /// build, provenance}]}; inputs, best_known, its x and details where there are any, and options but in old ones. But
+  /// for the runs, whatever is there is of its right type. Empty table for a new store.
   [[nodiscard]] const Value& manifest() const noexcept;
 
   /// Writes a file of the store (report.html, …) atomically.

@@ -14,6 +14,7 @@
 #include <nodal/unseen.h>
 
 #include "rerun.h"
+#include "study/best_known.h"
 #include "study/includes.h"
 #include "study/instances.h"
 #include "study/optimizer_choice.h"
@@ -205,7 +206,7 @@ class StudyReader {
     if (options.has("best_known")) {
       const Options known = options.table("best_known");
       require_short(&known.at("origin"), "origin", "best_known", kMostOfAnOrigin);
-      problem.best_known = KnownOptimum{known.number("quality"), known.text("origin"), {}};
+      problem.best_known = read_best_known(known, *problem.problem, study_.path.parent_path());
     } else {
       problem.best_known = problem.problem->known_optimum();
     }

@@ -67,9 +67,14 @@ OptionSchema problem_entry_schema() {
        .help = "G*: the quality that gaps are measured against",
        .fields = {{.name = "quality",
                    .type = OptionType::number,
-                   .required = true,
+                   .default_text = "that of 'file'",
                    .minimum = 0.0,
-                   .help = "the lowest quality known"},
+                   .help = "the lowest quality known; either it or a file"},
+                  {.name = "file",
+                   .type = OptionType::text,
+                   .default_text = "none",
+                   .help = "the system that has it, as nodal fit --export writes it: its quality is evaluated, and the "
+                           "page shows it"},
                   {.name = "origin", .type = OptionType::text, .required = true, .help = "who says so"}}},
   };
 }

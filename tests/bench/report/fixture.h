@@ -79,6 +79,7 @@ inline ProblemReport make_problem() {
   problem.table.start_quality = 2.304;
   problem.table.start_relative_error = 0.288;
   problem.error_per_quality = 0.125;
+  problem.table.axes = {Axis::seconds, Axis::evaluations, Axis::work};
 
   OptimizerRow annealing = make_row("annealing", 0.0938, 0.431);
   annealing.baseline = true;

@@ -3,6 +3,7 @@
 #include <report/chart/figures_table.h>
 #include <report/chart/line_chart.h>
 #include <report/chart/line_styles.h>
+#include <report/chart/path_text.h>
 #include <report/chart/svg_chart.h>
 #include <report/chart/ticks.h>
 
@@ -188,12 +189,20 @@ TEST(SvgChart, HasNameDescriptionAndEveryLine) {
   EXPECT_EQ(svg, svg_chart(two, "here"));
 }
 
+TEST(PathText, SaysOfEachPlaceHowFarItIsFromTheLast) {
+  PathText path;
+  path.start(1205, 37).across_to(1205).across_to(1217).up_to(34).line_to(1207, 27).line_to(1207, 27).line_to(1206, 30);
+  EXPECT_EQ(path.text(), "M120.5 3.7h1.2v-.3l-1-.7l-.1 .3");
+  EXPECT_EQ(PathText().start(0, -5).line_to(0, 15).line_to(30, 15).text(), "M0-.5v2h3");
+  EXPECT_EQ(PathText::tenths(-0.26), -3);
+}
+
 TEST(SvgChart, DrawsSharesAsSteps) {
   LineChart shares = chart({line("a", {{1.0, 0.0}, {10.0, 0.5}, {100.0, 1.0}})});
   shares.y = {"share", Scale::linear, false, std::array{0.0, 1.0}};
   shares.lines[0].steps = true;
   const std::string svg = svg_chart(shares, "shares");
-  const std::regex steps(R"(class="curve"[^>]* d="M[\d.]+ [\d.]+(H[\d.]+V[\d.]+){2}")");
+  const std::regex steps(R"(class="curve"[^>]* d="M[\d.]+ [\d.]+(h[\d.]+v-?[\d.]+){2}")");
   EXPECT_TRUE(std::regex_search(svg, steps)) << svg;
   EXPECT_NE(svg.find(">0.2</text>"), std::string::npos);
 }

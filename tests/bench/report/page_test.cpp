@@ -75,6 +75,7 @@ TEST(Page, HasItsChartsWithoutAScript) {
 TEST(Page, OffersFactorizationsWhereThereAreAny) {
   ReportData data = fixture::make_data();
   EXPECT_EQ(count(report_html(data), "data-axis=\"factorizations\""), 0u);
+  data.problems[0].table.axes = {Axis::seconds, Axis::factorizations};
   for (OptimizerCurves& curves : data.problems[0].curves) curves.by_axis[3] = curves.by_axis[1];
   EXPECT_EQ(count(report_html(data), "data-axis=\"factorizations\""), 1u);
 }
@@ -114,10 +115,10 @@ TEST(Page, WithoutCurvesItHasNeitherChartNorScript) {
   EXPECT_LT(page.size(), 20'000u);  // Vega alone is 450 kB
 }
 
-TEST(Page, OffersWorkOnlyWhereItDiffersFromEvaluations) {
+TEST(Page, OffersWorkOnlyWhereTrialsAreToldApartByIt) {
   ReportData data = fixture::make_data();
   EXPECT_EQ(count(report_html(data), "data-axis=\"work\""), 1u);
-  for (OptimizerCurves& curves : data.problems[0].curves) curves.by_axis[2] = curves.by_axis[1];
+  data.problems[0].table.axes = {Axis::seconds, Axis::evaluations};
   EXPECT_EQ(count(report_html(data), "data-axis=\"work\""), 0u);
 }
 

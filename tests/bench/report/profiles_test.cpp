@@ -42,7 +42,7 @@ ProblemConvergence problem_of(const std::vector<std::vector<std::optional<double
 TEST(Profiles, CountProblemsAndTargets) {
   // a is best at the first, within twice at the second; b the other way round, and never at the third.
   const std::vector<ProblemConvergence> problems = {problem_of({{10.0, 40.0, 70.0}, {30.0, 20.0, {}}})};
-  const std::vector<Profiles> all = make_profiles(problems);
+  const std::vector<Profiles> all = make_profiles(problems, kAxes);
   ASSERT_EQ(all.size(), 1u);  // no seconds, no work
   const Profiles& profiles = all[0];
   EXPECT_EQ(profiles.axis, Axis::evaluations);
@@ -74,7 +74,7 @@ TEST(Profiles, CountProblemsAndTargets) {
 TEST(Profiles, WarnWhereAThirdDecides) {
   const std::vector<ProblemConvergence> problems = {
       problem_of({{10.0, 90.0, 90.0}, {30.0, 20.0, 20.0}, {10.0, 1.0, 1.0}})};
-  const std::string warning = make_profiles(problems)[0].warning;
+  const std::string warning = make_profiles(problems, kAxes)[0].warning;
   EXPECT_TRUE(warning.starts_with("Within a factor of 1 a stands above b here, but below it where c is left out"))
       << warning;
 }
@@ -85,7 +85,7 @@ TEST(Profiles, RunLengthsAreToldOfAllSteps) {
   std::vector<statistics::RunLength>& lengths = problems[0].optimizers[0].lengths[kEvaluations];
   lengths.clear();
   for (int i = 1; i <= 1000; ++i) lengths.push_back({static_cast<double>(i), 1000.0});
-  const Profiles profiles = make_profiles(problems).at(0);
+  const Profiles profiles = make_profiles(problems, kAxes).at(0);
   EXPECT_EQ(profiles.reached.at(0).size(), 1000u);
   EXPECT_EQ(profiles.costs, (std::vector<double>{10, 20}));
   const std::string page = profiles_html(profiles, {});
@@ -95,17 +95,17 @@ TEST(Profiles, RunLengthsAreToldOfAllSteps) {
 }
 
 TEST(Profiles, OfNothingThereAreNone) {
-  EXPECT_TRUE(make_profiles({}).empty());
+  EXPECT_TRUE(make_profiles({}, kAxes).empty());
   const std::vector<ProblemConvergence> never = {problem_of({{{}, {}}})};
-  EXPECT_TRUE(make_profiles(never).empty());
+  EXPECT_TRUE(make_profiles(never, kAxes).empty());
 }
 
 TEST(Profiles, StandOnThePageAsChartsAndTables) {
   MadeStore made;
   for (const char* problem : {"p", "q"})
     for (int r = 0; r < 3; ++r) {
-      made.add(problem, "a", r, {{5, 1.0}});
-      made.add(problem, "b", r, {{50, 1.0}});
+      made.add(problem, "a", r, {{5, 1.0}}).work.factorizations = 50;
+      made.add(problem, "b", r, {{50, 1.0}}).work.factorizations = 50;
     }
   std::vector<Store> stores;
   stores.push_back(made.write());
@@ -119,8 +119,25 @@ TEST(Profiles, StandOnThePageAsChartsAndTables) {
         "<figcaption>Run lengths: share of trials × targets reached, by evaluations", "The run lengths as a table",
         "<figcaption>p: relative error attained, against time", "id=\"run-lengths-evaluations-title\"",
         "Area over the convergence curve", "Expected time to a gap", "Wilson&#39;s 95 % interval", "<td>500 µs</td>",
-        "<td>1 of 1 [0.21, 1.00]</td>"})
+        "<td>1 of 1 [0.21, 1.00]</td>", "id=\"run-lengths-factorizations-title\"",
+        "<figcaption>q: relative error attained, against factorizations", "Expected factorizations to a gap"})
     EXPECT_NE(page.find(part), std::string::npos) << part;
+  EXPECT_EQ(page.find("flops"), std::string::npos);  // nobody counts any
+}
+
+// Costs of nothing stand nowhere beside others.
+TEST(Profiles, AreByFactorizationsWhereAllProblemsHaveThem) {
+  MadeStore made;
+  for (const char* problem : {"p", "q"})
+    for (int r = 0; r < 3; ++r) made.add(problem, "a", r, {{5, 1.0}});
+  for (TrialRecord& record : made.records())
+    if (record.problem == "p") record.work.factorizations = 50;
+  std::vector<Store> stores;
+  stores.push_back(made.write());
+  const ReportData data = collect(stores, Registry());
+  std::vector<Axis> axes;
+  for (const Profiles& profiles : data.profiles) axes.push_back(profiles.axis);
+  EXPECT_EQ(axes, (std::vector{Axis::seconds, Axis::evaluations}));
 }
 
 // Of every table, also where a page has several problems and trials ended at minima.
@@ -166,6 +183,34 @@ TEST(Profiles, AttainedIsDrawnBetweenAQuarterAndThreeQuarters) {
   EXPECT_EQ(at(20.0).y, 0.25);
   EXPECT_EQ(at(20.0).lower, 0.25);
   EXPECT_EQ(at(20.0).upper, 1.0);
+}
+
+// Nothing is known of such a trial but that it was, and of one that was killed how long it ran.
+TEST(Profiles, EveryTrialIsListedAlsoThoseThatDied) {
+  MadeStore made;
+  for (int repeat = 0; repeat < 2; ++repeat)
+    for (const char* name : {"fragile", "broken"}) made.add("p", name, repeat, {{5, 1.0}});
+  for (TrialRecord& record : made.records()) {
+    if (record.optimizer == "fragile" && record.repeat == 1) continue;
+    TrialRecord dead;
+    dead.key = record.key;
+    dead.problem = record.problem;
+    dead.optimizer = dead.use = record.optimizer;
+    dead.repeat = record.repeat;
+    dead.end = record.repeat == 0 ? End::crashed : End::timeout;
+    dead.reason = "signal 11";
+    dead.seconds.total = record.repeat == 0 ? 0.0 : 3.0;
+    record = dead;
+  }
+  std::vector<Store> stores;
+  stores.push_back(made.write());
+  const std::string page = report_html(collect(stores, Registry()));
+  for (const char* part : {"<caption>Trials of fragile on p</caption>", "<caption>Trials of broken on p</caption>",
+                           "<tr><th scope=\"row\">0</th><td>–</td><td>–</td><td>–</td><td>–</td><td "
+                           "class=\"words\">crashed: signal 11</td>",
+                           "<tr><th scope=\"row\">1</th><td>–</td><td>–</td><td>–</td><td>3.00 s</td><td "
+                           "class=\"words\">timeout: signal 11</td>"})
+    EXPECT_NE(page.find(part), std::string::npos) << part;
 }
 
 // Of six trials half have died: three quarters attain nothing, half the worst of the others.

@@ -29,7 +29,8 @@ TEST(OptimizersCsv, HasEveryFigureInFullPrecision) {
                            "best_known_origin,best_known_provisional,"
                            "start_quality,start_relative_error,quality_lower,quality_median,quality_upper,"))
       << lines[0];
-  EXPECT_TRUE(lines[0].ends_with(",work_lower,work_median,work_upper,seconds_area,evaluations_area,work_area"))
+  EXPECT_TRUE(lines[0].ends_with(
+      ",work_lower,work_median,work_upper,seconds_area,evaluations_area,work_area,factorizations_area"))
       << lines[0];
   EXPECT_TRUE(lines[1].starts_with(
       "plate,annealing,annealing,true,15,0,0,false,1,0.7376255865,\"multi-start Gauss-Newton, 12 starts agree\",false,"
@@ -46,12 +47,13 @@ TEST(SummaryCsv, IsTidy) {
             "success_rate_upper,seconds_expected,seconds_expected_lower,seconds_expected_upper,seconds_median,"
             "seconds_multiple,evaluations_expected,evaluations_expected_lower,evaluations_expected_upper,"
             "evaluations_median,evaluations_multiple,work_expected,work_expected_lower,work_expected_upper,work_median,"
-            "work_multiple");
+            "work_multiple,factorizations_expected,factorizations_expected_lower,factorizations_expected_upper,"
+            "factorizations_median,factorizations_multiple");
   EXPECT_EQ(
       lines[10],
       "plate,ceres-levenberg-marquardt,ceres-levenberg-marquardt,false,0.01,false,3,1,1,1,,,,,,0.0006,333.3,,,,0.6,"
-      ",,,,0.06,");
-  EXPECT_EQ(lines[24], "plate,random-search,random-search,false,1e-08,false,15,15,0,0,,,,,,,,,,,,,,,,,");
+      ",,,,0.06,,,,,,");
+  EXPECT_EQ(lines[24], "plate,random-search,random-search,false,1e-08,false,15,15,0,0,,,,,,,,,,,,,,,,,,,,,,");
 }
 
 // Expected times by hand: 0.5 ms, 1 ms and never in 500 ms; 5, 10 and never in 5,000 evaluations.
@@ -84,7 +86,7 @@ TEST(SummaryCsv, RefusedTargetsAreMarked) {
   for (const double gap : kTargetGaps)
     if (gap > 1e-8) found.optimizers[0].targets.push_back({gap, {}, {}, {}});
   const std::vector<std::string> lines = lines_of(summary_csv(data));
-  EXPECT_EQ(lines[8], "plate,annealing,annealing,true,1e-08,true,15,,,,,,,,,,,,,,,,,,,,");
+  EXPECT_EQ(lines[8], "plate,annealing,annealing,true,1e-08,true,15,,,,,,,,,,,,,,,,,,,,,,,,,");
   EXPECT_TRUE(lines[7].starts_with("plate,annealing,annealing,true,1e-07,false,15,15,0,0,")) << lines[7];
 }
 

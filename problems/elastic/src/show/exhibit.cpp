@@ -2,6 +2,7 @@
 #include "show/exhibit.h"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -70,6 +71,22 @@ std::vector<double> ElasticExhibit::start() const { return problem_.start_stiffn
 std::vector<double> ElasticExhibit::read(const std::filesystem::path& file) const {
   InputFiles files;
   return read_back(system_formats(), files, file, problem_.net());
+}
+
+std::optional<std::vector<double>> ElasticExhibit::point(std::span<const double> stiffness) const {
+  constexpr double kSame = 1e-6;  // people write six digits
+  const Space& space = problem_.space();
+  std::vector<double> x(space.size());
+  problem_.parameters().coordinates(stiffness, x);
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const double within = std::clamp(x[i], space.lower()[i], space.upper()[i]);
+    if (!(std::abs(within - x[i]) <= kSame)) return std::nullopt;
+    x[i] = within;
+  }
+  const std::vector<double> reached = problem_.stiffness(x);
+  for (std::size_t e = 0; e < reached.size(); ++e)
+    if (!(std::abs(reached[e] - stiffness[e]) <= kSame * stiffness[e])) return std::nullopt;
+  return x;
 }
 
 std::optional<double> ElasticExhibit::exact_quality(std::span<const double> stiffness) const {

@@ -15,6 +15,8 @@ class ElasticExhibit final : public Exhibit {
   [[nodiscard]] std::vector<double> values(std::span<const double> x) const override;
   [[nodiscard]] std::vector<double> start() const override;
   [[nodiscard]] std::vector<double> read(const std::filesystem::path& file) const override;
+  /// To six digits.
+  [[nodiscard]] std::optional<std::vector<double>> point(std::span<const double> stiffness) const override;
   /// By solve_extended(), where that takes at most a million operations: up to some 250 nodes in the plane.
   [[nodiscard]] std::optional<double> exact_quality(std::span<const double> stiffness) const override;
   [[nodiscard]] std::unique_ptr<ShownSystem> show(const std::string& label,
@@ -23,10 +25,10 @@ class ElasticExhibit final : public Exhibit {
   [[nodiscard]] std::vector<std::string> notes() const override;
   /// The springs whose stiffness the reference says nothing about.
   [[nodiscard]] std::vector<std::string> notes_at(std::span<const double> stiffness) const override;
-  /// Pictures side by side; none of a net with more than 4,000 springs: a picture of more is grey, and the page grows
-  /// by megabytes.
   [[nodiscard]] std::vector<std::string> proposals() const override;
   [[nodiscard]] std::vector<std::string> remedies() const override;
+  /// Pictures side by side; none of a net with more than 4,000 springs: a picture of more is grey, and the page grows
+  /// by megabytes.
   [[nodiscard]] ReportPart report(const std::string& label, std::span<const LabelledPoint> points) const override;
   [[nodiscard]] std::vector<ExportFormat> formats() const override;
   [[nodiscard]] std::string write(const ExportFormat& format, std::span<const double> stiffness) const override;

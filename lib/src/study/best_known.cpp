@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "study/best_known.h"
+
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include <nodal/error.h>
+#include <nodal/evaluator.h>
+#include <nodal/exhibit.h>
+#include <nodal/show/number_text.h>
+#include <nodal/shown.h>
+
+namespace nodal {
+
+namespace {
+
+std::vector<double> read_point(const Problem& problem, const std::filesystem::path& file, const Source& named) {
+  const std::shared_ptr<const Exhibit> exhibit = exhibit_of(problem);
+  std::optional<std::vector<double>> x = at(
+      named, [&] { return exhibit->point(exhibit->read(file)); }, "give the 'quality' instead");
+  if (!x)
+    throw InputError(named,
+                     fmt::format("'{}' is not a system that this problem can reach: it is outside of the bounds, "
+                                 "or parts that move together differ",
+                                 shown(file.string())));
+  return std::move(*x);
+}
+
+}  // namespace
+
+KnownOptimum read_best_known(const Options& known, const Problem& problem, const std::filesystem::path& folder) {
+  if (known.has("quality") == known.has("file"))
+    throw InputError(known.values().source,
+                     "'best_known' has either a 'quality', or a 'file' with the system that has it");
+  if (known.has("quality")) return {known.number("quality"), known.text("origin"), {}};
+  const Source& named = known.at("file").source;
+  std::vector<double> x = read_point(problem, folder / known.text("file"), named);
+  const Evaluation there = problem.make_evaluator()->audit(x);
+  if (!there.ok() || !std::isfinite(there.cost))
+    throw InputError(
+        named, fmt::format("the system of '{}' has no quality: {}", shown(known.text("file")), in_words(there.status)));
+  return {rounded(problem.quality(there.cost), kGivenDigits), known.text("origin"), std::move(x)};
+}
+
+}  // namespace nodal
