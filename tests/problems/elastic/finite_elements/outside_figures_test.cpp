@@ -2,6 +2,8 @@
 // Figures that textbooks and benchmarks print: stresses at holes, displacements of rings.
 #include <gtest/gtest.h>
 
+#include <fmt/format.h>
+
 #include "bodies.h"
 #include "fields.h"
 #include "finite_elements/solution.h"
@@ -70,7 +72,9 @@ TEST(OutsideFigures, EllipticMembrane) {
   problem.groups[0].prescribed = {{std::size_t{0}, 1}, {std::size_t{2}, 0}};
   problem.groups[0].loads = {{{{1, StressField{tensor(10, 10, 0)}}}}};
   const double stress = stress_in(plane_mesh(body, 0.1), problem, {2.0, 0.0, 0.0})[1][1];
+  RecordProperty("stress", fmt::format("{:.3f}", stress));
   EXPECT_NEAR(stress, 92.7, 0.02 * 92.7);
+  EXPECT_NEAR(stress, 91.7, 0.1);  // what the page says; of an ellipse of 2,048 sides it is 92.4
 }
 
 }  // namespace
