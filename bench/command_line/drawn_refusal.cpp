@@ -14,8 +14,10 @@ namespace nodal {
 
 Study read_study_or_draw(const std::string& path, const Registry& registry, const StudyOverrides& overrides,
                          const std::string& picture) {
+  StudyOverrides own = overrides;
+  own.without_best_known_files = true;  // neither a fit nor a look at a system is measured against it
   try {
-    return read_study(path, registry, overrides);
+    return read_study(path, registry, own);
   } catch (const DrawnInputError& error) {
     if (!picture.empty()) {
       refuse_no_picture("--picture", picture);

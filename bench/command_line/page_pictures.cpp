@@ -74,7 +74,7 @@ Shown show(const StudyProblem& entry, const report::ProblemReport& own) {
       points.push_back({other.optimizer, other.x});
   const std::shared_ptr<const Exhibit> exhibit = exhibit_of(*entry.problem);
   const bool known = own.known_point.size() == start.size();
-  if (known) points.push_back({"best known", own.known_point});
+  if (known) points.push_back({"best known, as given", own.known_point});
   return {exhibit->report(entry.label, points), exhibit->notes_at(exhibit->start()),
           digits_of(*exhibit, own.best->quality, own.best->x),
           known ? digits_of(*exhibit, own.known_quality, own.known_point) : std::nullopt};

@@ -26,15 +26,21 @@ void refuse_file(const std::string& name, const fs::path& folder) {
         fmt::format("the study names '{}', which is no regular file of its folder '{}'", name, folder.string()));
 }
 
-// Every 'file' of a study.
-void collect_files(const Value& value, std::vector<std::string>& names) {
+// Every 'file' of a study that is read, which that of a best known quality may not be.
+void collect_files(const Value& value, bool best_known, std::vector<std::string>& names) {
   if (value.is_list())
-    for (const Value& item : value.list()) collect_files(item, names);
+    for (const Value& item : value.list()) collect_files(item, best_known, names);
   if (!value.is_table()) return;
   for (const auto& [key, entry] : value.table()) {
+    if (key == "best_known" && !best_known) continue;
     if (key == "file" && entry.is_text()) names.push_back(entry.text());
-    collect_files(entry, names);
+    collect_files(entry, best_known, names);
   }
+}
+
+bool has_target(const Value& study) {
+  const Value* budget = study.find("budget");
+  return budget && budget->is_table() && budget->find("target_gap");
 }
 
 // The folder is the store's word: it is believed where the study stands in it, as the store has it.
@@ -59,9 +65,10 @@ void refuse_costly(const Value& study, const Registry& registry) {
   }
 }
 
-void refuse_strange_files(const Value& study, const fs::path& folder, const fs::path& path, const std::string& text) {
+void refuse_strange_files(const Value& study, bool best_known, const fs::path& folder, const fs::path& path,
+                          const std::string& text) {
   std::vector<std::string> names;
-  collect_files(study, names);
+  collect_files(study, best_known, names);
   for (const std::string& name : names) refuse_file(name, folder);
   if (!names.empty()) refuse_another_study(path, text);
 }
@@ -74,10 +81,11 @@ Study read_stored_study(const Value& study, const Registry& registry, Cost cost)
   const fs::path folder = study.at("directory").text();
   const std::string& text = study.at("text").text();
   const fs::path path = folder / fs::path(study.at("file").text()).filename();
-  const StudyOverrides overrides = stored_overrides(study);
+  StudyOverrides overrides = stored_overrides(study);
+  overrides.without_best_known_files = cost == Cost::of_a_picture;  // its point is in the manifest
   const Value tables = study_tables(text, path, overrides);
   if (cost == Cost::of_a_picture) refuse_costly(tables, registry);
-  refuse_strange_files(tables, folder, path, text);
+  refuse_strange_files(tables, !overrides.without_best_known_files || has_target(tables), folder, path, text);
   return parse_study(text, path, registry, overrides);
 }
 

@@ -124,7 +124,8 @@ OptimizerDetail detail_of(const std::string& label, const Value* requested, std:
   }
   std::ranges::stable_sort(detail.repeats, {}, &RepeatDetail::repeat);
   detail.health = health_of(trials);
-  if (told.front()->claimed) detail.status = told.front()->claimed->status;
+  const auto claiming = std::ranges::find_if(told, [](const TrialRecord* trial) { return trial->claimed.has_value(); });
+  if (claiming != told.end()) detail.status = (*claiming)->claimed->status;
   return detail;
 }
 

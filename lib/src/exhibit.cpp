@@ -49,6 +49,7 @@ std::optional<std::vector<double>> Exhibit::point(std::span<const double> /*valu
 
 std::optional<std::vector<double>> PlainExhibit::point(std::span<const double> values) const {
   const Space& space = problem_.space();
+  if (values.size() != space.size()) throw std::logic_error("a point has as many values as its space has coordinates");
   for (std::size_t i = 0; i < values.size(); ++i)
     if (!(space.lower()[i] <= values[i] && values[i] <= space.upper()[i])) return std::nullopt;
   return std::vector(values.begin(), values.end());

@@ -80,9 +80,17 @@ class Merging {
                       "studies another label",
                       home, directory_, label));
     join_inputs(*same, problem, home);
-    if (const Value* known = problem.find("best_known"); known && !same->find("best_known"))
-      same->set("best_known", *known);
+    join_best_known(*same, problem);
     join_details(*same, problem);
+  }
+
+  // The first one's, but for a point that only the other has.
+  static void join_best_known(Value& first, const Value& other) {
+    const Value *here = first.find("best_known"), *there = other.find("best_known");
+    if (!there) return;
+    const auto quality = [](const Value& known) { return known.find("quality") ? known.at("quality").number() : 0.0; };
+    if (!here || (!here->find("x") && there->find("x") && quality(*here) == quality(*there)))
+      first.set("best_known", *there);
   }
 
   // Manifests of older builds don't say what the files held.

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include <nodal/alternating.h>
+#include <nodal/show/number_text.h>
 #include <nodal/shown.h>
 
 #include "independent_look.h"
@@ -21,6 +22,7 @@ namespace {
 
 // A deterministic method from one start ends in the same place every time: these repeats are for its run time.
 constexpr int kDeterministicRepeats = 3;
+constexpr int kKeyedDigits = 10;
 
 TrialRecord blank_record(const Study& study, const Trial& trial) {
   const StudyOptimizer& optimizer = study.optimizers.at(trial.optimizer);
@@ -189,7 +191,9 @@ std::string trial_key(const Study& study, const Trial& trial) {
   if (study.budget.evaluations) budget.set("evaluations", *study.budget.evaluations);
   if (study.budget.target_gap && problem.best_known) {
     budget.set("target_gap", *study.budget.target_gap);
-    budget.set("best_known", problem.best_known->quality);
+    // Of an evaluated one builds may have other last digits.
+    const KnownOptimum& known = *problem.best_known;
+    budget.set("best_known", known.x.empty() ? known.quality : rounded(known.quality, kKeyedDigits));
   }
   if (study.budget.validated) budget.set("stop", "unseen");
   Value content;

@@ -28,7 +28,7 @@ inline constexpr double kLargestContradiction = 1e-6;
 /// How many digits of a number hold that is off by this share of itself: as many as doubles have, at most.
 [[nodiscard]] inline double digits_that_hold(double off) noexcept {
   constexpr double kMost = std::numeric_limits<double>::digits10 + 1;
-  return off > 0.0 ? std::clamp(-std::log10(off), 0.0, kMost) : kMost;
+  return off > 0.0 ? std::clamp(0.0 - std::log10(off), 0.0, kMost) : kMost;
 }
 
 /// True when the fresh cost refutes what was seen: it is worse by more than 1e-6 of itself and by more than

@@ -83,7 +83,8 @@ class Exhibit {
   [[nodiscard]] virtual std::vector<double> read(const std::filesystem::path& file) const;
 
   /// The point of the space that has these values, as far as people write them; empty where none has, for a bound or
-  /// for parts that move together. Refusal by a problem that doesn't say.
+  /// for parts that move together. Refusal by a problem that doesn't say. Goes with `values`: who overrides one
+  /// overrides both.
   [[nodiscard]] virtual std::optional<std::vector<double>> point(std::span<const double> values) const;
 
   /// The quality of values by arithmetic of more digits than doubles have, rounded at the end: it says how many digits

@@ -93,6 +93,9 @@ struct StudyOverrides {
   std::vector<std::string> set = {};  ///< "problem.material.poisson=0.2": any key, after what is included; see --set
   /// Texts of what the study includes, in the order of reading, instead of the files: those that a store has.
   std::optional<std::vector<IncludedFile>> included = {};
+  /// `best_known = { file = … }` isn't read, and nobody knows that quality, unless trials are to end near it: a fit may
+  /// be what writes the file.
+  bool without_best_known_files = false;
   /// Where a study of this name keeps what takes long to make (result_cache.h); nowhere without it.
   std::function<std::filesystem::path(const std::string& study)> cache = {};
 };

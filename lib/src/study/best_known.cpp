@@ -10,7 +10,6 @@
 #include <nodal/error.h>
 #include <nodal/evaluator.h>
 #include <nodal/exhibit.h>
-#include <nodal/show/number_text.h>
 #include <nodal/shown.h>
 
 namespace nodal {
@@ -19,8 +18,14 @@ namespace {
 
 std::vector<double> read_point(const Problem& problem, const std::filesystem::path& file, const Source& named) {
   const std::shared_ptr<const Exhibit> exhibit = exhibit_of(problem);
-  std::optional<std::vector<double>> x = at(
-      named, [&] { return exhibit->point(exhibit->read(file)); }, "give the 'quality' instead");
+  std::optional<std::vector<double>> x;
+  try {
+    x = exhibit->point(exhibit->read(file));
+  } catch (const Refusal& refusal) {
+    throw InputError(named, fmt::format("{}; give the 'quality' instead", refusal.what()));
+  } catch (const InputError& error) {
+    throw InputError(named, error.what());
+  }
   if (!x)
     throw InputError(named,
                      fmt::format("'{}' is not a system that this problem can reach: it is outside of the bounds, "
@@ -42,7 +47,13 @@ KnownOptimum read_best_known(const Options& known, const Problem& problem, const
   if (!there.ok() || !std::isfinite(there.cost))
     throw InputError(
         named, fmt::format("the system of '{}' has no quality: {}", shown(known.text("file")), in_words(there.status)));
-  return {rounded(problem.quality(there.cost), kGivenDigits), known.text("origin"), std::move(x)};
+  return {problem.quality(there.cost), known.text("origin"), std::move(x)};
+}
+
+void replace_way(Value& best_known, std::string_view later) {
+  if (!best_known.is_table() || (later != "quality" && later != "file")) return;
+  const std::string_view other = later == "file" ? "quality" : "file";
+  std::erase_if(best_known.table(), [other](const auto& entry) { return entry.first == other; });
 }
 
 }  // namespace nodal

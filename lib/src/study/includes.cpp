@@ -10,6 +10,8 @@
 #include <nodal/shown.h>
 #include <nodal/toml.h>
 
+#include "study/best_known.h"
+
 namespace nodal {
 
 namespace {
@@ -53,12 +55,23 @@ void forget_best_known(Value& below, const Value& over) {
     std::erase_if(below.table(), [](const auto& entry) { return entry.first == "best_known"; });
 }
 
+void replace_best_known(Value& below, const Value& over) {
+  const Value* later = over.is_table() ? over.find("best_known") : nullptr;
+  if (!later || !later->is_table() || !below.is_table()) return;
+  const auto there = std::ranges::find(below.table(), "best_known", &Value::Table::value_type::first);
+  if (there == below.table().end()) return;
+  for (const auto& [key, value] : later->table()) replace_way(there->second, key);
+}
+
 // The same of whole studies, whose lists of tables are entries and add up.
 Value joined(Value below, Value over) {
   for (auto& [key, value] : over.table()) {
     const auto there = std::ranges::find(below.table(), key, &Value::Table::value_type::first);
     if (there == below.table().end()) continue;
-    if (key == "problem") forget_best_known(there->second, value);
+    if (key == "problem") {
+      forget_best_known(there->second, value);
+      replace_best_known(there->second, value);
+    }
     if (!has_entries(value) && !has_entries(there->second)) continue;
     const Source source = value.source;
     Value::List all = as_list(std::move(there->second));

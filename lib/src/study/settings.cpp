@@ -11,6 +11,8 @@
 #include <nodal/shown.h>
 #include <nodal/toml.h>
 
+#include "study/best_known.h"
+
 namespace nodal {
 
 namespace {
@@ -126,6 +128,12 @@ struct Changed {
   std::set<std::size_t> problems, best_known;
 };
 
+void replace_best_known(Value& problem, const std::string& later) {
+  if (!problem.is_table()) return;
+  const auto there = std::ranges::find(problem.table(), "best_known", &Value::Table::value_type::first);
+  if (there != problem.table().end()) replace_way(there->second, later);
+}
+
 void apply(Value& root, const Setting& setting, Changed& changed) {
   if (!root.find(setting.entry)) {
     Value made;
@@ -143,6 +151,8 @@ void apply(Value& root, const Setting& setting, Changed& changed) {
   for (std::size_t i = 0; i < entries.size(); ++i) {
     names.push_back(entry_name(*entries[i]));
     if (!setting.label.empty() && names.back() != setting.label) continue;
+    if (setting.entry == "problem" && setting.keys.size() == 2 && setting.keys[0] == "best_known")
+      replace_best_known(*entries[i], setting.keys[1]);
     set(*entries[i], setting);
     any = true;
     if (setting.entry == "problem" && setting.keys.front() != "label")

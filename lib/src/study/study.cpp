@@ -203,22 +203,35 @@ class StudyReader {
     problem.options = resolve_options(description->options, only_keys(entry, own, false),
                                       fmt::format("problem '{}'", shown(problem.label)));
     make(*description, entry, problem);
-    if (options.has("best_known")) {
-      const Options known = options.table("best_known");
-      require_short(&known.at("origin"), "origin", "best_known", kMostOfAnOrigin);
-      problem.best_known = read_best_known(known, *problem.problem, study_.path.parent_path());
-    } else {
+    if (!options.has("best_known"))
       problem.best_known = problem.problem->known_optimum();
-    }
+    else
+      give_best_known(options.table("best_known"), entry, problem);
     study_.problems.push_back(std::move(problem));
   }
 
   void make(const ProblemDescription& description, const Value& entry, StudyProblem& problem) const {
-    try {
+    guarded(entry, problem, [&] {
       InputFiles files(study_.path.parent_path());
       const ResultCache cache = overrides_.cache ? ResultCache(overrides_.cache(study_.name)) : ResultCache();
       problem.problem = description.make(problem.options, {files, entry.source, cache});
       problem.fingerprint = files.fingerprint();
+    });
+  }
+
+  void give_best_known(const Options& known, const Value& entry, StudyProblem& problem) const {
+    require_short(&known.at("origin"), "origin", "best_known", kMostOfAnOrigin);
+    // A file may be what the study is read for: a fit writes it.
+    if (overrides_.without_best_known_files && known.has("file") && !study_.budget.target_gap) return;
+    guarded(entry, problem,
+            [&] { problem.best_known = read_best_known(known, *problem.problem, study_.path.parent_path()); });
+  }
+
+  // Whatever a problem throws is told with its place and name.
+  template <class Make>
+  static void guarded(const Value& entry, const StudyProblem& problem, Make make) {
+    try {
+      make();
     } catch (const InputError&) {  // says where and what
       throw;
     } catch (const std::bad_alloc&) {

@@ -73,8 +73,7 @@ OptionSchema problem_entry_schema() {
                   {.name = "file",
                    .type = OptionType::text,
                    .default_text = "none",
-                   .help = "the system that has it, as nodal fit --export writes it: its quality is evaluated, and the "
-                           "page shows it"},
+                   .help = "the system that has it, as nodal fit --export writes it: its quality is evaluated"},
                   {.name = "origin", .type = OptionType::text, .required = true, .help = "who says so"}}},
   };
 }

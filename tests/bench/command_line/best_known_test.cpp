@@ -51,7 +51,7 @@ TEST(BestKnown, OfAFileIsEvaluatedAndShown) {
   const std::string page = read_file(folder.path() / "results/quick/report.html");
   EXPECT_TRUE(contains(page, "Of the best known G that was given"));
   EXPECT_TRUE(contains(page, "digits hold in arithmetic of 50 at its point"));
-  EXPECT_TRUE(contains(page, ">best known<")) << "no picture of it";
+  EXPECT_TRUE(contains(page, ">best known, as given<")) << "no picture of it";
 }
 
 TEST(BestKnown, IsAQualityOrAFile) {
@@ -60,7 +60,36 @@ TEST(BestKnown, IsAQualityOrAFile) {
             "nodal: s.toml:10: 'best_known' has either a 'quality', or a 'file' with the system that has it\n");
   EXPECT_TRUE(contains(refusal(folder, "best_known = { quality = 1, file = \"best.json\", origin = \"x\" }\n"),
                        "s.toml:10: 'best_known' has either"));
-  EXPECT_TRUE(contains(refusal(folder, kFile), "best.json"));
+  EXPECT_TRUE(contains(refusal(folder, kFile), "nodal: s.toml:10: cannot read stiffness file"));
+}
+
+// Of what is included, of the study, and of --set the last counts.
+TEST(BestKnown, OfTwoWaysTheLaterOneCounts) {
+  const Folder folder;
+  write_best(folder);
+  folder.write("number.toml", study_with("best_known = { quality = 0.5, origin = \"a guess\" }\n"));
+  folder.write("file.toml", "include = \"number.toml\"\n[problem]\n" + kFile);
+  const Output file = run(folder, {"explain", "file.toml"});
+  EXPECT_TRUE(contains(file.out, "(a fit)")) << file.err;
+  const Output number = run(folder, {"explain", "file.toml", "--set", "problem.best_known.quality=0.25"});
+  EXPECT_TRUE(contains(number.out, "best known: quality 0.25 (a fit)")) << number.err;
+  const Output again = run(folder, {"explain", "number.toml", "--set", "problem.best_known.file=\"best.json\""});
+  EXPECT_TRUE(contains(again.out, "(a guess)")) << again.err;
+  EXPECT_FALSE(contains(again.out, "quality 0.5 (")) << again.out;
+}
+
+// The study that names a file is fitted to write it; a page that is made again has the point from the store.
+TEST(BestKnown, IsReadWhereItIsNeeded) {
+  const Folder folder;
+  folder.write("s.toml", study_with(kFile));
+  const Output fitted = run(folder, {"fit", "s.toml", "--with", "gauss-newton", "--export", "best.json"});
+  ASSERT_EQ(fitted.exit, 0) << fitted.err;
+  ASSERT_EQ(run(folder, {"compare", "s.toml"}).exit, 0);
+  std::filesystem::remove(folder.path() / "best.json");
+  const Output report = run(folder, {"report", "results/quick"});
+  EXPECT_EQ(report.exit, 0) << report.err;
+  EXPECT_TRUE(contains(read_file(folder.path() / "results/quick/report.html"), ">best known, as given<")) << report.err;
+  EXPECT_EQ(run(folder, {"compare", "s.toml"}).exit, 2);
 }
 
 // A quality that no point of the space has would be a gap that nobody can close.

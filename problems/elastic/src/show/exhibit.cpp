@@ -74,7 +74,7 @@ std::vector<double> ElasticExhibit::read(const std::filesystem::path& file) cons
 }
 
 std::optional<std::vector<double>> ElasticExhibit::point(std::span<const double> stiffness) const {
-  constexpr double kSame = 1e-6;  // people write six digits
+  constexpr double kSame = 1e-5;  // people write six digits: half a unit of the last is at most 5e-6
   const Space& space = problem_.space();
   std::vector<double> x(space.size());
   problem_.parameters().coordinates(stiffness, x);
