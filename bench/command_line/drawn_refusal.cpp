@@ -15,7 +15,7 @@ namespace nodal {
 Study read_study_or_draw(const std::string& path, const Registry& registry, const StudyOverrides& overrides,
                          const std::string& picture) {
   StudyOverrides own = overrides;
-  own.without_best_known_files = true;  // neither a fit nor a look at a system is measured against it
+  own.without_best_known_files = true;
   try {
     return read_study(path, registry, own);
   } catch (const DrawnInputError& error) {

@@ -50,10 +50,12 @@ KnownOptimum read_best_known(const Options& known, const Problem& problem, const
   return {problem.quality(there.cost), known.text("origin"), std::move(x)};
 }
 
-void replace_way(Value& best_known, std::string_view later) {
-  if (!best_known.is_table() || (later != "quality" && later != "file")) return;
+void replace_best_known(Value& problem, std::string_view later) {
+  if (!problem.is_table() || (later != "quality" && later != "file")) return;
   const std::string_view other = later == "file" ? "quality" : "file";
-  std::erase_if(best_known.table(), [other](const auto& entry) { return entry.first == other; });
+  for (auto& [key, known] : problem.table())
+    if (key == "best_known" && known.is_table())
+      std::erase_if(known.table(), [other](const auto& entry) { return entry.first == other; });
 }
 
 }  // namespace nodal

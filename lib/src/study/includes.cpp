@@ -55,12 +55,10 @@ void forget_best_known(Value& below, const Value& over) {
     std::erase_if(below.table(), [](const auto& entry) { return entry.first == "best_known"; });
 }
 
-void replace_best_known(Value& below, const Value& over) {
+void replace_ways(Value& below, const Value& over) {
   const Value* later = over.is_table() ? over.find("best_known") : nullptr;
-  if (!later || !later->is_table() || !below.is_table()) return;
-  const auto there = std::ranges::find(below.table(), "best_known", &Value::Table::value_type::first);
-  if (there == below.table().end()) return;
-  for (const auto& [key, value] : later->table()) replace_way(there->second, key);
+  if (!later || !later->is_table()) return;
+  for (const auto& [key, value] : later->table()) replace_best_known(below, key);
 }
 
 // The same of whole studies, whose lists of tables are entries and add up.
@@ -70,7 +68,7 @@ Value joined(Value below, Value over) {
     if (there == below.table().end()) continue;
     if (key == "problem") {
       forget_best_known(there->second, value);
-      replace_best_known(there->second, value);
+      replace_ways(there->second, value);
     }
     if (!has_entries(value) && !has_entries(there->second)) continue;
     const Source source = value.source;

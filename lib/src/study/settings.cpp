@@ -128,12 +128,6 @@ struct Changed {
   std::set<std::size_t> problems, best_known;
 };
 
-void replace_best_known(Value& problem, const std::string& later) {
-  if (!problem.is_table()) return;
-  const auto there = std::ranges::find(problem.table(), "best_known", &Value::Table::value_type::first);
-  if (there != problem.table().end()) replace_way(there->second, later);
-}
-
 void apply(Value& root, const Setting& setting, Changed& changed) {
   if (!root.find(setting.entry)) {
     Value made;
